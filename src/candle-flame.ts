@@ -21,7 +21,6 @@ import { advance } from "./world/advance.js";
 import { candleCount, litFlames, rootedFlame, wickAtFlame } from "./world/flames.js";
 import { withCount } from "./world/particles/particle-layer.js";
 import { STILL } from "./world/player/intent.js";
-import type { Snapshot } from "./world/snapshot.js";
 import { currentTime, type World } from "./world/world.js";
 
 export type { Options } from "./scene-world.js";
@@ -141,10 +140,6 @@ export class CandleFlame {
     return candleNamesOf(this.#scene);
   }
 
-  isLit(index: number): boolean {
-    return rootedFlame(this.world, index)?.flame.isLit ?? false;
-  }
-
   setLit(isLit: boolean, index = 0): void {
     const flame = rootedFlame(this.world, index)?.flame;
     if (isLit ? flame?.light() : flame?.extinguish()) {
@@ -203,9 +198,10 @@ export class CandleFlame {
     this.reports.tell();
   }
 
-  /** Continues from a snapshot; in another room, from that room's start. */
-  resume(snapshot: Snapshot, isSameRoom: boolean): void {
-    this.world = this.#next.resume(snapshot, isSameRoom);
+  /** Continues another world, with the first candle lit or not; in another room, from that room's start. */
+  resume(before: World, isLit: boolean, isSameRoom: boolean): void {
+    const next = this.#next;
+    this.world = isSameRoom ? next.inLook(before, isLit) : next.inScene(before, isLit);
     this.view.follow(this.#subject);
   }
 

@@ -3,8 +3,7 @@ import type { Scene } from "./scenes/scene.js";
 import { moveCamera, standCandle, standLike } from "./world/commands.js";
 import type { WorldOptions } from "./world/create-world.js";
 import { litFlames } from "./world/flames.js";
-import { restoreSnapshot, type Snapshot, takeSnapshot } from "./world/snapshot.js";
-import type { World } from "./world/world.js";
+import type { Stand, World } from "./world/world.js";
 
 /** New worlds of a scene, which take over what another one had. */
 export class NextWorld {
@@ -47,10 +46,11 @@ export class NextWorld {
   }
 
   /** In another look: the same time, and the camera in its place, or inside the new look's walls. */
-  inLook(before: World): World {
-    const { position, yaw, pitch, stand } = takeSnapshot(before);
-    const { setup, formerStand } = before;
-    const world = this.#sameTimeAs(before, { areLit: this.#areLit(before) });
+  inLook(before: World, isLit = before.flame.isLit): World {
+    const { setup, formerStand, candle } = before;
+    const { position, yaw, pitch } = before.player;
+    const stand: Stand | null = candle.isHeld ? null : structuredClone(candle);
+    const world = this.#sameTimeAs(before, { isLit, areLit: this.#areLit(before) });
     world.formerLit = before.standing.length > 0 ? litFlames(before).slice(1) : before.formerLit;
     moveCamera(world, position, yaw, pitch);
     world.formerStand = setup.stand === null ? stand : formerStand;
@@ -73,15 +73,6 @@ export class NextWorld {
     const world = this.#sameTimeAs(other, { areLit: this.#areLit(other, before) });
     moveCamera(world, position, yaw, pitch);
     standLike(world, other);
-    return world;
-  }
-
-  /** As a snapshot has it; in another room, at that room's start. */
-  resume(snapshot: Snapshot, isSameRoom: boolean): World {
-    const { tick: age, isLit, areLit, fieldOfView, remainder } = snapshot;
-    const world = this.first({ age, isLit, fieldOfView, ...(isSameRoom && areLit && { areLit }) });
-    world.remainder = remainder;
-    if (isSameRoom) restoreSnapshot(world, snapshot);
     return world;
   }
 }

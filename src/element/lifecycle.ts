@@ -2,7 +2,6 @@ import type { CandleFlame } from "../candle-flame.js";
 import { ContextLostError } from "../gl/gpu-object.js";
 import { nextTask } from "../gl/next-task.js";
 import { type ContextClient, contextPool } from "../scenes/context-pool.js";
-import { takeSnapshot } from "../world/snapshot.js";
 import { Accessibility } from "./accessibility.js";
 import { CandleReporter } from "./candle-reporter.js";
 import { CustomStates } from "./custom-states.js";
@@ -96,10 +95,9 @@ export class Lifecycle {
   restart(): void {
     if (!this.#machine.send("restart")) return;
     const { candle, shownRequest } = this.#session ?? {};
-    const snapshot = candle && takeSnapshot(candle.world);
     this.#release();
     this.#ready.renew();
-    if (snapshot && shownRequest) this.pending.save(snapshot, shownRequest);
+    if (candle && shownRequest) this.pending.save(candle.world, shownRequest);
     this.#begin();
   }
 

@@ -3,15 +3,16 @@ import { areSame, type SceneRequest } from "../scenes/scene.js";
 import { FIELDS_OF_VIEW, type Look } from "../settings.js";
 import { isWithinReach } from "../world/candle.js";
 import { placeCandle } from "../world/commands.js";
-import { type Snapshot, takeSnapshot, timeOf } from "../world/snapshot.js";
+import { UNBOUNDED } from "../world/room/movement-bounds.js";
+import { currentTime, type World } from "../world/world.js";
 import { cameraOf, setCamera } from "./camera.js";
 import type { Camera } from "./element-types.js";
 
-const ORIGIN = { position: [0, 0, 0], yaw: 0, pitch: 0, fieldOfView: null } as const;
+const ORIGIN = { player: { position: [0, 0, 0], yaw: 0, pitch: 0 }, fieldOfView: null } as const;
 
 /**
- * State of a world that does not exist yet, or not any more: the snapshot that it continues from, and the
- * camera and the placing that the page asked for meanwhile.
+ * State of a world that does not exist yet, or not any more: the one that it continues, and the camera and the placing
+ * that the page asked for meanwhile.
  */
 export class PendingWorld {
   #camera: Partial<Camera> | null = null;
@@ -19,32 +20,33 @@ export class PendingWorld {
   #placing: Partial<Camera> | null = null;
   /** Whether the page wants the first candle lit; null where attributes decide. */
   #isLit: boolean | null = null;
-  /** With the scene that it was taken in. */
-  #saved: { readonly snapshot: Snapshot; readonly request: SceneRequest } | null = null;
+  /** A world that is gone, and the request of its scene. */
+  #saved: { readonly world: World; readonly request: SceneRequest } | null = null;
 
   /** @param look of the world to come, which has its own field of view */
   cameraFor(look: Look): Required<Camera> {
-    const { position, yaw, pitch, fieldOfView } = this.#saved?.snapshot ?? ORIGIN;
+    const { player, fieldOfView } = this.#saved?.world ?? ORIGIN;
+    const { position, yaw, pitch } = player;
     const saved = { position, yaw, pitch, fieldOfView: fieldOfView ?? FIELDS_OF_VIEW[look] };
     return structuredClone({ ...saved, ...this.#camera });
   }
 
-  /** Request of the scene that the snapshot was taken in. */
+  /** Request of the scene that the saved world was of. */
   get request(): SceneRequest | null {
     return this.#saved?.request ?? null;
   }
 
   get currentTime(): number {
-    return this.#saved ? timeOf(this.#saved.snapshot) : 0;
+    return this.#saved ? currentTime(this.#saved.world) : 0;
   }
 
   get isHeld(): boolean {
-    return !this.#placing && !this.#saved?.snapshot.stand;
+    return !this.#placing && (this.#saved?.world.candle.isHeld ?? true);
   }
 
   /** Null where attributes decide. */
   get isLit(): boolean | null {
-    return this.#isLit ?? this.#saved?.snapshot.isLit ?? null;
+    return this.#isLit ?? this.#saved?.world.flame.isLit ?? null;
   }
 
   /** Lights the first candle or puts it out, whatever the attributes say. */
@@ -58,17 +60,19 @@ export class PendingWorld {
    * @param isLit whether the first does
    */
   forgetFlames(isLit: boolean): void {
-    this.#isLit = null;
-    if (!this.#saved) return;
-    const { request, snapshot } = this.#saved;
-    this.save({ ...snapshot, areLit: null, isLit }, request);
+    const saved = this.#saved;
+    this.#isLit = saved && isLit;
+    this.#saved = saved && { ...saved, world: { ...saved.world, standing: [], formerLit: [] } };
   }
 
-  save(snapshot: Snapshot, request: SceneRequest): void {
-    this.#saved = { snapshot, request };
+  /** The world that the next one goes on from, without what needs much memory. */
+  save(world: World, request: SceneRequest): void {
+    const standing = world.standing.map((one) => ({ ...one, plume: null }));
+    const kept = { room: null, movementBounds: UNBOUNDED, standing, plume: null, adaptation: null };
+    this.#saved = { world: { ...world, ...kept }, request };
   }
 
-  /** Drops the snapshot: the next world begins at time 0. */
+  /** Drops the saved world: the next world begins at time 0. */
   forgetTime(): void {
     this.#saved = null;
   }
@@ -86,19 +90,17 @@ export class PendingWorld {
 
   /** Has the candle put down from the current camera. */
   place(): void {
-    if (!this.#saved?.snapshot.stand) this.#placing = { ...this.#camera };
+    if (this.#saved?.world.candle.isHeld !== false) this.#placing = { ...this.#camera };
   }
 
-  /** Has the candle held. Returns whether it stands in the snapshot, within reach of the camera, and not fixed. */
+  /** Has the candle held. Returns whether it stood in the saved world, within reach of the camera, and not fixed. */
   take(): boolean {
     this.#placing = null;
-    if (!this.#saved?.snapshot.stand) return false;
-    const { snapshot, request } = this.#saved;
-    const { scene, look } = request;
-    const isFixed = scene === "candle" || look === "original";
-    if (isFixed || !isWithinReach(this.#saved.snapshot.stand, this.cameraFor(look))) return false;
-    this.save({ ...snapshot, stand: null }, request);
-    return true;
+    if (!this.#saved) return false;
+    const { candle, setup } = this.#saved.world;
+    if (candle.isHeld || setup.stand) return false;
+    candle.isHeld = isWithinReach(candle, this.cameraFor(this.#saved.request.look));
+    return candle.isHeld;
   }
 
   /** Drops camera, placing and flame: no other world follows, or it has them already. */
@@ -107,7 +109,7 @@ export class PendingWorld {
   }
 
   /**
-   * Applies all of it to the new world; positions of the snapshot only in its own room.
+   * Applies all of it to the new world; places of the saved one only in its own room.
    *
    * @param isFollowed whether another world is on its way, for which camera and placing are kept
    * @param onPlaced called when the candle has been put down, with the camera that it was put down from; without it
@@ -121,12 +123,12 @@ export class PendingWorld {
     onPlaced?: () => void,
   ): boolean {
     const isLit = this.#isLit;
-    const isOther = this.#saved !== null || (isLit !== null && isLit !== candle.isLit(0));
+    const isOther = this.#saved !== null || (isLit !== null && isLit !== candle.world.flame.isLit);
     const isAny = isOther || this.#placing !== null || this.#camera !== null;
     if (isOther) {
-      const snapshot = this.#saved?.snapshot ?? takeSnapshot(candle.world);
+      const { world } = this.#saved ?? candle;
       const isSameRoom = !this.#saved || areSame(this.#saved.request, shownRequest);
-      candle.resume({ ...snapshot, isLit: isLit ?? snapshot.isLit }, isSameRoom);
+      candle.resume(world, isLit ?? world.flame.isLit, isSameRoom);
     }
     if (this.#placing) {
       const before = cameraOf(candle);

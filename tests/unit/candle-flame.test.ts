@@ -1,11 +1,14 @@
-import { expect, test, vi } from "vitest";
+import { describe, expect, test, vi } from "vitest";
 import { CandleFlame, type Options } from "../../src/candle-flame.ts";
 import type { CanvasTarget } from "../../src/scenes/canvas-target.ts";
 import type { Scene } from "../../src/scenes/scene.ts";
 import { allFeatures } from "../../src/settings.ts";
-import { blow, placeCandle } from "../../src/world/commands.ts";
+import { advance } from "../../src/world/advance.ts";
+import { blow, moveCamera, placeCandle } from "../../src/world/commands.ts";
 import { litFlames } from "../../src/world/flames.ts";
+import { STILL } from "../../src/world/player/intent.ts";
 import type { Wick } from "../../src/world/standing-candle.ts";
+import { currentTime } from "../../src/world/world.ts";
 
 const OPTIONS = {
   look: "paper",
@@ -22,7 +25,11 @@ const WICKS: readonly Wick[] = [1, 2].map((x) => ({
 }));
 
 /** A candle that draws nothing. */
-function create(isModelAlone: boolean, wicks: readonly Wick[] = []): CandleFlame {
+function create(
+  isModelAlone: boolean,
+  wicks: readonly Wick[] = [],
+  look: Options["look"] = "paper",
+): CandleFlame {
   const createRenderer = () => ({ resize: () => {}, setLayers: () => {} });
   const moonDirection = [0, -1, 0];
   const scene = {
@@ -39,7 +46,7 @@ function create(isModelAlone: boolean, wicks: readonly Wick[] = []): CandleFlame
     target as unknown as CanvasTarget,
     scene as unknown as Scene,
     allFeatures(),
-    OPTIONS,
+    { ...OPTIONS, look },
   );
 }
 
@@ -117,4 +124,53 @@ test("of options that a listener sets while others are applied, the last ones ho
   candle.options = { ...OPTIONS, litWicks: [1] };
   expect(litFlames(candle.world)).toEqual([true, false, true]);
   expect(reports).toEqual(["0 is out", "2 is out", "0 burns", "1 is out", "2 burns"]);
+});
+
+describe("a world that goes on from another", () => {
+  const moved = (): CandleFlame => {
+    const candle = create(false, WICKS, "physical");
+    candle.setLit(true, 2);
+    moveCamera(candle.world, [1, 1.6, 2], 0.4, -0.1, 1.2);
+    placeCandle(candle.world);
+    moveCamera(candle.world, [2, 1.6, 3], 0.5, -0.2);
+    return candle;
+  };
+
+  test("has its time, its camera and its candles", () => {
+    const { world: before } = moved();
+    advance(before, STILL, 0.205);
+    const candle = create(false, WICKS, "physical");
+    candle.resume(before, false, true);
+    const { world } = candle;
+    expect(candle.currentTime).toBe(currentTime(before));
+    expect(world.player).toEqual(before.player);
+    expect(world.candle).toEqual(before.candle);
+    expect(world.emitter).toEqual(before.emitter);
+    expect(litFlames(world)).toEqual([false, false, true]);
+    expect(world.fieldOfView).toBe(1.2);
+  });
+
+  test("begins at the start of another room, at the same time", () => {
+    const { world: before } = moved();
+    advance(before, STILL, 0.205);
+    const candle = create(false, WICKS, "physical");
+    const { player } = candle.world;
+    candle.resume(before, false, false);
+    expect(candle.currentTime).toBe(currentTime(before));
+    expect(candle.world.player).toEqual(player);
+    expect(candle.world.candle.isHeld).toBe(true);
+    expect(litFlames(candle.world)).toEqual([false, false, false]);
+    expect(candle.world.fieldOfView).toBe(1.2);
+  });
+
+  test("knows what a look that has its own place, and no other candles, had before it", () => {
+    const gone = moved();
+    const { position } = gone.world.candle;
+    gone.options = { ...OPTIONS, look: "original" };
+    const candle = create(false, WICKS, "original");
+    candle.resume(gone.world, true, true);
+    candle.options = { ...OPTIONS, look: "physical" };
+    expect(candle.world.candle).toMatchObject({ isHeld: false, position: [...position] });
+    expect(litFlames(candle.world)).toEqual([true, false, true]);
+  });
 });

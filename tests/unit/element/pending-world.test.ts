@@ -2,7 +2,9 @@ import { describe, expect, test, vi } from "vitest";
 import type { CandleFlame } from "../../../src/candle-flame.ts";
 import { PendingWorld } from "../../../src/element/pending-world.ts";
 import type { SceneRequest } from "../../../src/scenes/scene.ts";
-import { takeSnapshot } from "../../../src/world/snapshot.ts";
+import { standCandle } from "../../../src/world/commands.ts";
+import type { WorldOptions } from "../../../src/world/create-world.ts";
+import { LONE_CANDLE_SETUP, WORLD_SETUPS } from "../../../src/world/world-setup.ts";
 import { createWorld } from "../../support/world.ts";
 
 const REQUEST: SceneRequest = {
@@ -14,16 +16,17 @@ const REQUEST: SceneRequest = {
   isStepped: true,
 };
 
-describe("between two worlds", () => {
-  const world = createWorld("physical", 1);
+/** Between two worlds, in the first of which the candle stood so far ahead of the camera. */
+function standing(away: number, birth: WorldOptions = {}): PendingWorld {
+  const pending = new PendingWorld();
+  const world = createWorld("physical", 1, birth);
   const [x, , z] = world.player.position;
-  const standing = (away: number, request = REQUEST): PendingWorld => {
-    const pending = new PendingWorld();
-    const stand = { position: [x, 0, z - away], yaw: 0 } as const;
-    pending.save({ ...takeSnapshot(world), stand }, request);
-    return pending;
-  };
+  standCandle(world, [x, 0, z - away], 0);
+  pending.save(world, REQUEST);
+  return pending;
+}
 
+describe("between two worlds", () => {
   test("a candle that stood is taken up, once", () => {
     expect(new PendingWorld().take()).toBe(false);
     const pending = standing(1);
@@ -34,22 +37,23 @@ describe("between two worlds", () => {
   test("one out of reach of the camera is not", () => {
     const pending = standing(3);
     expect([pending.take(), pending.isHeld]).toEqual([false, false]);
-    pending.moveCamera({ position: [x, 1.6, z - 2] });
+    const [x, y, z] = pending.cameraFor("physical").position;
+    pending.moveCamera({ position: [x, y, z - 2] });
     expect(pending.take()).toBe(true);
   });
 
-  test.each([{ scene: "candle" }, { look: "original" }] as const)(
-    "nor one that is fixed: %o",
-    (fixed) => {
-      const pending = standing(1, { ...REQUEST, ...fixed });
-      expect([pending.take(), pending.isHeld]).toEqual([false, false]);
-    },
-  );
+  test.each([
+    ["of a model alone", LONE_CANDLE_SETUP],
+    ["of the original", WORLD_SETUPS.original],
+  ])("nor one that is fixed: %s", (_, setup) => {
+    const pending = standing(1, { setup });
+    expect([pending.take(), pending.isHeld]).toEqual([false, false]);
+  });
 });
 
 test("a new world that is as the page asks is kept", () => {
   const resume = vi.fn();
-  const candle = { world: createWorld("physical", 1), isLit: () => true, resume };
+  const candle = { world: createWorld("physical", 1), resume };
   const apply = (pending: PendingWorld) =>
     pending.applyTo(candle as unknown as CandleFlame, REQUEST, false);
   const pending = new PendingWorld();

@@ -8,7 +8,6 @@ import { STILL } from "../../../src/world/player/intent.ts";
 import { pcg, unit } from "../../../src/world/random.ts";
 import { CollisionMesh } from "../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../src/world/room/room.ts";
-import { restoreSnapshot, takeSnapshot } from "../../../src/world/snapshot.ts";
 import type { World } from "../../../src/world/world.ts";
 import { LONE_CANDLE_SETUP } from "../../../src/world/world-setup.ts";
 import { createWorld } from "../../support/world.ts";
@@ -255,17 +254,4 @@ test("around candles alone nobody walks or turns, whom no frame shows; their fla
   advance(world, { ...E, forward: 1, turn: 1, yaw: 0.3, pitch: 0.1 }, 1);
   expect(world.player).toEqual(before);
   expect(litFlames(world)).toEqual([false]);
-});
-
-test("a snapshot has the state of every candle", () => {
-  const wicks: Vec3[] = [
-    [0, 1.2, 0],
-    [1, 1.2, 0],
-  ];
-  const gone = worldWith(wicks, { areLit: [true, false] });
-  const moment = takeSnapshot(gone);
-  expect(moment.areLit).toEqual([true, false]);
-  const world = worldWith(wicks, { age: moment.tick, areLit: moment.areLit ?? [] });
-  restoreSnapshot(world, moment);
-  expect(takeSnapshot(world)).toEqual(moment);
 });
