@@ -16,12 +16,9 @@ const HOLD = 550;
 const SAME_PLACE = 48;
 
 interface Finger {
-  readonly startX: number;
-  readonly startY: number;
-  readonly began: number;
   readonly walks: boolean;
-  x: number;
-  y: number;
+  readonly begin: PointerEvent;
+  last: PointerEvent;
   isSteady: boolean;
 }
 
@@ -34,24 +31,17 @@ interface Finger {
  */
 export class Touch {
   readonly #fingers = new Map<number, Finger>();
-  #lastTap: { x: number; y: number; time: number } | null = null;
+  #lastTap: PointerEvent | null = null;
   #yaw = 0;
   #pitch = 0;
   #actions: Partial<Record<Action, true>> = {};
   #holdTimer: ReturnType<typeof setTimeout> | undefined;
 
   /** @param box where the zones are, in client coordinates */
-  down({ pointerId, clientX, clientY, timeStamp }: PointerEvent, box: DOMRect): void {
-    const walks = clientX < box.left + box.width / 2;
-    const finger: Finger = {
-      startX: clientX,
-      startY: clientY,
-      began: timeStamp,
-      walks,
-      x: clientX,
-      y: clientY,
-      isSteady: true,
-    };
+  down(begin: PointerEvent, box: DOMRect): void {
+    const { pointerId } = begin;
+    const walks = begin.clientX < box.left + box.width / 2;
+    const finger: Finger = { walks, begin, last: begin, isSteady: true };
     this.#fingers.set(pointerId, finger);
     if (walks) return;
     clearTimeout(this.#holdTimer);
@@ -62,31 +52,30 @@ export class Touch {
     }, HOLD);
   }
 
-  move({ pointerId, clientX, clientY }: PointerEvent, sensitivity: number): void {
-    const finger = this.#fingers.get(pointerId);
+  move(event: PointerEvent, sensitivity: number): void {
+    const finger = this.#fingers.get(event.pointerId);
     if (!finger) return;
     if (!finger.walks) {
-      this.#yaw -= (clientX - finger.x) * SENSITIVITY * sensitivity;
-      this.#pitch -= (clientY - finger.y) * SENSITIVITY * sensitivity;
+      const [dx, dy] = wayOf(finger.last, event);
+      this.#yaw -= dx * SENSITIVITY * sensitivity;
+      this.#pitch -= dy * SENSITIVITY * sensitivity;
     }
-    finger.x = clientX;
-    finger.y = clientY;
-    const way = Math.hypot(clientX - finger.startX, clientY - finger.startY);
-    if (way > STEADY) finger.isSteady = false;
+    finger.last = event;
+    if (Math.hypot(...wayOf(finger.begin, event)) > STEADY) finger.isSteady = false;
   }
 
-  up({ pointerId, clientX: x, clientY: y, timeStamp: time, type }: PointerEvent): void {
-    const finger = this.#fingers.get(pointerId);
-    this.#fingers.delete(pointerId);
-    const isTap = type === "pointerup" && finger?.isSteady && time - finger.began < TAP;
-    if (!isTap) return;
+  up(event: PointerEvent): void {
+    const finger = this.#fingers.get(event.pointerId);
+    this.#fingers.delete(event.pointerId);
+    if (event.type !== "pointerup" || !finger?.isSteady) return;
+    if (event.timeStamp - finger.begin.timeStamp >= TAP) return;
     const last = this.#lastTap;
     const isSecond =
       last !== null &&
-      time - last.time < DOUBLE_TAP &&
-      Math.hypot(x - last.x, y - last.y) < SAME_PLACE;
+      event.timeStamp - last.timeStamp < DOUBLE_TAP &&
+      Math.hypot(...wayOf(last, event)) < SAME_PLACE;
     if (isSecond) this.#actions.togglesFlame = true;
-    this.#lastTap = isSecond ? null : { x, y, time };
+    this.#lastTap = isSecond ? null : event;
   }
 
   /** Forgets fingers, and what no frame has read of them. */
@@ -101,7 +90,7 @@ export class Touch {
     let [forward, right, runs] = [0, 0, false];
     for (const finger of this.#fingers.values()) {
       if (!finger.walks) continue;
-      const [dx, dy] = [finger.x - finger.startX, finger.y - finger.startY];
+      const [dx, dy] = wayOf(finger.begin, finger.last);
       const [x, y] = beyondDeadZone(dx / REACH, dy / REACH);
       if (x !== 0 || y !== 0) [forward, right] = [-y, x];
       runs = Math.hypot(dx, dy) > RUN_REACH;
@@ -120,4 +109,8 @@ export class Touch {
     this.#actions = {};
     return intent;
   }
+}
+
+function wayOf(from: PointerEvent, to: PointerEvent): [x: number, y: number] {
+  return [to.clientX - from.clientX, to.clientY - from.clientY];
 }
