@@ -7,10 +7,9 @@ import {
   flameReport,
   paperFlameReport,
 } from "./light/flame-light.js";
-import { NextWorld } from "./next-world.js";
 import type { AutoQuality } from "./render/auto-quality.js";
 import { Reports } from "./reports.js";
-import { burnsAtFirst, candleNamesOf, moonOver, type Options, wickOf } from "./scene-world.js";
+import { type Options, SceneWorlds } from "./scene-worlds.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
 import { SceneView } from "./scenes/scene-view.js";
@@ -23,7 +22,7 @@ import { withCount } from "./world/particles/particle-layer.js";
 import { STILL } from "./world/player/intent.js";
 import { currentTime, type World } from "./world/world.js";
 
-export type { Options } from "./scene-world.js";
+export type { Options } from "./scene-worlds.js";
 
 /** Longest time step of a live frame, seconds: a tab that was hidden does not fast-forward. */
 const MAX_FRAME = 1 / 20;
@@ -81,7 +80,7 @@ export class CandleFlame {
     this.#scene = scene;
     this.#features = features;
     this.#options = options;
-    this.world = prepared?.world ?? this.#next.first();
+    this.world = prepared?.world ?? this.#worlds.first();
     this.view = new SceneView(target, scene, options, this.#subject, plays, prepared?.auto);
     this.view.onRefused = (error) => this.#fail(error);
   }
@@ -101,8 +100,8 @@ export class CandleFlame {
     else this.draw();
   }
 
-  get #next(): NextWorld {
-    return new NextWorld(this.#scene, this.#options);
+  get #worlds(): SceneWorlds {
+    return new SceneWorlds(this.#scene, this.#options);
   }
 
   set options(options: Options) {
@@ -111,11 +110,11 @@ export class CandleFlame {
     this.view.settings = options;
     const { air, flame } = this.world;
     this.world.sways = !options.isStill;
-    this.world.moon = moonOver(this.#scene, options);
+    this.world.moon = this.#worlds.moon;
     air.wind = options.wind;
-    flame.wick = wickOf(this.#scene, options);
+    flame.wick = this.#worlds.wick;
     const isOtherLook = options.look !== before.look;
-    if (isOtherLook && !this.#scene.isModelAlone) this.#replace(this.#next.inLook(this.world));
+    if (isOtherLook && !this.#scene.isModelAlone) this.#replace(this.#worlds.inLook(this.world));
     else if (options.seed !== before.seed) this.#restart();
     else if (options.particles !== before.particles) this.view.follow(this.#subject);
     const burning = ({ unlit, litWicks }: Options) => `${unlit} ${litWicks}`;
@@ -130,14 +129,15 @@ export class CandleFlame {
     this.world.formerLit = [];
     for (let index = 0; index < candleCount(this.world); index++) {
       const flame = rootedFlame(this.world, index)?.flame;
-      if (burnsAtFirst(index, this.#scene, this.#options)) flame?.light();
+      if (this.#worlds.burnsAtFirst(index)) flame?.light();
       else flame?.extinguish();
     }
   }
 
   /** Names of the candles' wicks, the carried one's first. */
   get candleNames(): readonly string[] {
-    return candleNamesOf(this.#scene);
+    const { first, wicks } = this.#scene;
+    return [first?.name ?? "wick", ...wicks.map(({ name }) => name)];
   }
 
   setLit(isLit: boolean, index = 0): void {
@@ -179,7 +179,7 @@ export class CandleFlame {
     this.#scene = scene;
     this.#options = options;
     const { candle, flame } = this.world;
-    const next = this.#next;
+    const next = this.#worlds;
     const isKept = isSameSource && next.isRoomOf(this.world);
     const burns = isLit ?? (isSameSource ? flame.isLit : null);
     this.world = isKept ? next.inLook(this.world) : next.inScene(this.world, burns);
@@ -194,13 +194,13 @@ export class CandleFlame {
 
   /** Takes over the time, the camera and the candles of another, as far as the room here allows. */
   mirror({ world }: CandleFlame): void {
-    this.#replace(this.#next.mirror(world, this.world));
+    this.#replace(this.#worlds.mirror(world, this.world));
     this.reports.tell();
   }
 
   /** Continues another world, with the first candle lit or not; in another room, from that room's start. */
   resume(before: World, isLit: boolean, isSameRoom: boolean): void {
-    const next = this.#next;
+    const next = this.#worlds;
     this.world = isSameRoom ? next.inLook(before, isLit) : next.inScene(before, isLit);
     this.view.follow(this.#subject);
   }
@@ -222,7 +222,7 @@ export class CandleFlame {
 
   #restart(): void {
     this.input?.read();
-    this.#replace(this.#next.first());
+    this.#replace(this.#worlds.first());
   }
 
   /** One frame. Tests and the bench come here. */

@@ -4,7 +4,7 @@ import { nextTask } from "./gl/next-task.js";
 import { AutoQuality } from "./render/auto-quality.js";
 import { tierNamed } from "./render/quality.js";
 import { measureSpeed } from "./render/speed.js";
-import { worldInSteps } from "./scene-world.js";
+import { SceneWorlds } from "./scene-worlds.js";
 import type { CanvasTarget } from "./scenes/canvas-target.js";
 import type { Scene } from "./scenes/scene.js";
 import { workOf } from "./scenes/view-subject.js";
@@ -54,7 +54,7 @@ export async function createCandle(
 ): Promise<CandleFlame | null> {
   const { gpu } = target;
   const isOn = () => isWanted() && target.gpu === gpu && !gpu.isLost;
-  const steps = worldInSteps(scene, options);
+  const steps = new SceneWorlds(scene, options).firstInSteps();
   let step = steps.next();
   for (; !step.done; step = steps.next()) {
     await nextTask();
