@@ -88,22 +88,18 @@ export class TextureImages {
     try {
       if (inside) return await this.#decode(inside, name);
       if (uri === undefined) throw new Flaw("is missing");
-      const { resolve, shared } = this.#sources;
+      const { resolve, shared, signal } = this.#sources;
       const address = resolve(uri);
+      const isForeign = (type: string) => /^(text|video|audio|font)\//.test(type);
       const decoded =
-        shared.get(address.href) ?? this.#fetch(address).then((bytes) => this.#decode(bytes, name));
+        shared.get(address.href) ??
+        fetchBytes(address, { signal, isForeign }).then((bytes) => this.#decode(bytes, name));
       shared.set(address.href, decoded);
       return await decoded;
     } catch (cause) {
       this.#sources.signal.throwIfAborted();
       throw assetError(`The texture ${name} of ${this.#sources.file}`, cause);
     }
-  }
-
-  #fetch(address: URL): Promise<Uint8Array<ArrayBuffer>> {
-    const { signal } = this.#sources;
-    const isForeign = (type: string) => /^(text|video|audio|font)\//.test(type);
-    return fetchBytes(address, { signal, isForeign });
   }
 
   async #decode(bytes: Uint8Array<ArrayBuffer>, name: string): Promise<TextureImage> {
