@@ -300,7 +300,7 @@ export class Session {
     if (this.#input.attributes.paused) candle.view.isPlaying = false;
     void this.#measure(candle);
     if (isOther) candle.reset();
-    candle.onFailure = (error) => this.#owner.onError(error);
+    candle.onFailure = (error) => this.#candle === candle && this.#owner.onError(error);
     this.use(() => this.#owner.onCandle(candle));
   }
 
@@ -317,7 +317,7 @@ export class Session {
       }
       this.#owner.onContextRestored();
     } catch (error) {
-      this.#owner.onError(error);
+      if (isWanted()) this.#owner.onError(error);
     }
   }
 

@@ -219,7 +219,7 @@ export class SceneView {
       this.onDrawn();
     }
     gpu.endFrame();
-    if (this.#isUnchecked) void this.#check();
+    if (this.#isUnchecked) this.#check().catch(this.onRefused);
   }
 
   /** Takes the time of a frame of the animation loop, by which `auto` goes. Seconds. */
@@ -257,6 +257,7 @@ export class SceneView {
   }
 
   dispose(): void {
+    this.#busy = null; // what is prepared or asked ends with it
     this.#target.dispose();
   }
 
@@ -333,18 +334,15 @@ export class SceneView {
     canvas.height = height;
   }
 
-  /** Asks the driver whether it accepts what was made, once the GPU has drawn, so that nothing waits. */
+  /** Asks the driver whether it accepts what was made, once the GPU has drawn, so that nothing waits. Throws if not. */
   async #check(): Promise<void> {
-    this.#isUnchecked = false;
     const renderer = this.#renderer;
     this.#busy = renderer;
     const { gpu } = this.#target;
     await gpu.whenIdle();
-    if (this.#busy === renderer) this.#busy = null;
-    try {
-      if (gpu === this.#target.gpu) gpu.check("picture");
-    } catch (error) {
-      this.onRefused(error as Error);
-    }
+    if (this.#busy !== renderer) return; // another frame asks again
+    this.#busy = null;
+    this.#isUnchecked = false;
+    gpu.check("picture");
   }
 }

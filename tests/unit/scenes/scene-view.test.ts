@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import type { FrameCounts } from "../../../src/gl/frame-counts.ts";
 import { AutoQuality, WORK } from "../../../src/render/auto-quality.ts";
 import type { Renderer } from "../../../src/render/renderer.ts";
@@ -19,7 +19,9 @@ function createGpu() {
     },
     endFrame: () => {},
     whenIdle: () => Promise.resolve(),
-    whenCompiled: () => new Promise(() => {}),
+    compile: () => {},
+    whenCompiled: () => new Promise<void>((resolve) => (gpu.compile = resolve)),
+    finishPrograms: () => {},
     checks: 0,
     check: () => {
       gpu.checks++;
@@ -45,8 +47,8 @@ function createView(
   };
   const canvas = { width: 1, height: 1 };
   const noop = () => {};
-  const drawing = { prepare: noop, present: noop };
-  const target = { gpu, canvas, ...drawing, clear: noop, clearUnshared: noop, renew: noop };
+  const drawing = { prepare: noop, present: noop, renew: noop };
+  const target = { gpu, canvas, ...drawing, clear: noop, clearUnshared: noop, dispose: noop };
   const scene = { createRenderer: () => renderer as unknown as Renderer };
   return new SceneView(
     target as unknown as CanvasTarget,
@@ -114,4 +116,23 @@ test("the driver is asked about the targets of another resolution of the same ti
   await draw();
   expect(view.stats.resolutionScale).toBeLessThan(resolutionScale);
   expect(gpu.checks).toBe(2);
+});
+
+test("a view that is gone neither prepares another frame nor hears what others are refused", async () => {
+  const gpu = createGpu();
+  const view = createView(gpu, 1);
+  view.onRefused = vi.fn();
+  view.render(FRAME);
+  await expect.poll(() => view.isBusy).toBe(false);
+  view.settings = { look: "paper", quality: "high" } as ViewSettings;
+  view.rebuild();
+  view.render(FRAME, true);
+  gpu.check = gpu.finishPrograms = vi.fn(() => {
+    throw new Error("another's");
+  });
+  view.dispose();
+  gpu.compile();
+  await new Promise((resolve) => setTimeout(resolve));
+  expect(gpu.check).not.toHaveBeenCalled();
+  expect(view.onRefused).not.toHaveBeenCalled();
 });
