@@ -1,9 +1,10 @@
+import { windowOf } from "./window-of.js";
+
 /** Weight of the newest frame in the running mean of frame times. */
 const SMOOTHING = 0.1;
 
 /**
  * Animation loop: calls back in each frame of the window that shows a canvas, with the milliseconds since the last one.
- * It may be another window than the script's, which may be hidden.
  */
 export class AnimationLoop {
   /** Running mean of the time from frame to frame, milliseconds; NaN before the second frame. */
@@ -15,7 +16,7 @@ export class AnimationLoop {
 
   constructor(onFrame: (elapsed: number) => void, canvas: HTMLCanvasElement) {
     this.#onFrame = onFrame;
-    this.#window = canvas.ownerDocument.defaultView ?? window;
+    this.#window = windowOf(canvas);
   }
 
   get isRunning(): boolean {

@@ -1,3 +1,5 @@
+import { windowOf } from "../window-of.js";
+
 export interface Size {
   readonly width: number;
   readonly height: number;
@@ -6,7 +8,7 @@ export interface Size {
 /** Device pixels of an element's content box, near enough where the browser does not report them. */
 export function guessDevicePixels(element: Element): Size {
   const { clientWidth, clientHeight } = element;
-  const ratio = devicePixelRatio * zoomOf(element);
+  const ratio = windowOf(element).devicePixelRatio * zoomOf(element);
   return { width: Math.round(clientWidth * ratio), height: Math.round(clientHeight * ratio) };
 }
 
@@ -25,9 +27,10 @@ export function observeDevicePixels(
   signal: AbortSignal,
   onChange: (size: Size) => void,
 ): void {
+  const view = windowOf(element);
   let exact: Size | null = null;
   const report = () => onChange(exact ?? guessDevicePixels(element));
-  const observer = new ResizeObserver((entries) => {
+  const observer = new view.ResizeObserver((entries) => {
     const box = entries.at(-1)?.devicePixelContentBoxSize?.[0];
     const reported = box && { width: box.inlineSize, height: box.blockSize };
     exact = reported && !isEmulated(reported, element) ? reported : null;
@@ -41,7 +44,7 @@ export function observeDevicePixels(
   signal.addEventListener("abort", () => observer.disconnect());
   // On a monitor of another density the same box may have as many pixels as before.
   const awaitRatio = (): void => {
-    const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    const query = view.matchMedia(`(resolution: ${view.devicePixelRatio}dppx)`);
     const handleChange = (): void => {
       report();
       awaitRatio();
@@ -53,7 +56,7 @@ export function observeDevicePixels(
 
 /** Chromium 156 reports CSS pixels where a tool emulates a monitor of another density (DevTools, test runners). */
 function isEmulated(reported: Size, element: Element): boolean {
-  if (devicePixelRatio === 1) return false;
+  if (windowOf(element).devicePixelRatio === 1) return false;
   const { clientWidth, clientHeight } = element;
   const zoom = zoomOf(element);
   const isNear = (pixels: number, length: number) =>

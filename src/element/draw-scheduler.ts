@@ -1,3 +1,5 @@
+import { windowOf } from "../window-of.js";
+
 interface Hooks {
   /** Whether a visitor can see the canvas. */
   readonly isVisible: () => boolean;
@@ -31,9 +33,9 @@ export class DrawScheduler {
   request(): void {
     this.#isFresh = false;
     if (this.#hooks.isPlaying() || this.#isRequested) return;
-    const view = this.#element.ownerDocument.defaultView;
     this.#isRequested = this.#hooks.isVisible();
-    if (this.#isRequested) view?.requestAnimationFrame(() => this.#isRequested && this.draw());
+    const draw = () => this.#isRequested && this.draw();
+    if (this.#isRequested) windowOf(this.#element).requestAnimationFrame(draw);
     else this.#isStale = true;
   }
 

@@ -9,7 +9,7 @@ import { DrawScheduler } from "./draw-scheduler.js";
 import { emit, frameError, typeOf } from "./events.js";
 import { LifecycleStates } from "./lifecycle-states.js";
 import { FULL, LOST, NO_PHYSICAL_LOOK } from "./messages.js";
-import { observeLessMotion } from "./options.js";
+import { lessMotion } from "./options.js";
 import { Overlay } from "./overlay.js";
 import { PendingWorld } from "./pending-world.js";
 import { ReadyPromise } from "./ready-promise.js";
@@ -238,7 +238,8 @@ export class Lifecycle {
     this.#states.toggle("loading", false);
     this.reporter.flame(candle);
     session.followSize((appears) => this.draws.drawIfVisible(appears));
-    observeLessMotion(this.#abort.signal, () => this.apply());
+    const { signal } = this.#abort;
+    lessMotion(this.#element).addEventListener("change", () => this.apply(), { signal });
     this.#applyMotion();
     if (this.#session !== session) return; // a listener asked for another scene
     if (session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);

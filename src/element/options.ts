@@ -1,6 +1,7 @@
 import type { Options } from "../candle-flame.js";
 import { resolveUrl } from "../scenes/resolve-url.js";
 import { type Look, parseIndices, type SettingName } from "../settings.js";
+import { windowOf } from "../window-of.js";
 import { parseMoonPlace } from "../world/moon.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
@@ -9,12 +10,10 @@ export const SCENE_ATTRIBUTES: readonly string[] = ["scene", "look", "src", "ass
 const COSTS = ["quality", "max-pixel-ratio", "particles"];
 export const RENDERER_ATTRIBUTES: readonly string[] = [...SCENE_ATTRIBUTES, ...COSTS];
 
-const LESS_MOTION = "(prefers-reduced-motion: reduce)";
-
 /** Options of the candle, in SI units, from the element's attributes; null leaves a value to the room. */
 export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   const { seed, quality, exposure, particles, motion, unlit, wick, gustiness } = element;
-  const isStill = motion === "reduced" || (motion === "auto" && matchMedia(LESS_MOTION).matches);
+  const isStill = motion === "reduced" || (motion === "auto" && lessMotion(element).matches);
   const direction = (element.windDirection * Math.PI) / 180;
   const wind = { speed: element.wind, direction, gustiness: isStill ? 0 : gustiness };
   const isGiven = (name: SettingName) =>
@@ -28,9 +27,9 @@ export function optionsOf(element: ReflectedAttributes, look: Look): Options {
   return { look, seed, quality, exposure, particles, isStill, ...flame, moon };
 }
 
-export function observeLessMotion(signal: AbortSignal, onChange: () => void): void {
-  matchMedia(LESS_MOTION).addEventListener("change", onChange, { signal });
-}
+/** The visitor's wish for less motion. */
+export const lessMotion = (element: Element): MediaQueryList =>
+  windowOf(element).matchMedia("(prefers-reduced-motion: reduce)");
 
 /**
  * URL of the folder of the built-in models: `asset-base`, or the one that this module lies in; empty where neither is

@@ -4,6 +4,7 @@ import { type CanvasTarget, createCanvasTarget } from "../scenes/canvas-target.j
 import { fetchPageSmoke } from "../scenes/page-smoke.js";
 import { areSame, loadScene, type Scene, type SceneRequest } from "../scenes/scene.js";
 import type { Features, Inspection, Look } from "../settings.js";
+import { windowOf } from "../window-of.js";
 import { CandleList } from "./candle-list.js";
 import { watchContext } from "./context-watch.js";
 import { Controls } from "./controls.js";
@@ -204,7 +205,8 @@ export class Session {
   }
 
   #fit(candle: CandleFlame): boolean {
-    const cap = Math.min(1, this.#input.attributes.maxPixelRatio / devicePixelRatio);
+    const { maxPixelRatio } = this.#input.attributes;
+    const cap = Math.min(1, maxPixelRatio / windowOf(this.canvas).devicePixelRatio);
     const { width, height } = this.#pixels;
     return candle.view.resize(Math.max(1, width * cap), Math.max(1, height * cap));
   }

@@ -1,3 +1,4 @@
+import { windowOf } from "../window-of.js";
 import { type Action, type Intent, STILL } from "../world/player/intent.js";
 import { describeControls } from "./describe-controls.js";
 import { Gamepads, hasEntering, type Pad } from "./gamepads.js";
@@ -27,10 +28,11 @@ export class FirstPersonInput {
   readonly describe = describeControls;
   readonly #host: HTMLElement;
   readonly #canvas: HTMLCanvasElement;
+  readonly #window: Window;
   readonly #listening = new AbortController();
   readonly #onEntered: (isIn: boolean, device: Device) => void;
   readonly #keyboard = new Keyboard();
-  readonly #touch = new Touch();
+  readonly #touch: Touch;
   readonly #gamepads = new Gamepads();
   #yaw = 0;
   #pitch = 0;
@@ -61,6 +63,8 @@ export class FirstPersonInput {
   ) {
     this.#host = host;
     this.#canvas = canvas;
+    this.#window = windowOf(host);
+    this.#touch = new Touch(this.#window);
     this.#onEntered = onEntered;
     const { signal } = this.#listening;
     const { ownerDocument } = host;
@@ -125,7 +129,7 @@ export class FirstPersonInput {
       this.#gamepads.release();
       return STILL;
     }
-    const intent = this.#gamepads.read(connectedGamepads());
+    const intent = this.#gamepads.read(connectedGamepads(this.#window));
     const wasIn = this.#isIn;
     if (!wasIn && this.#gamepads.enters) this.#goIn("gamepad");
     if (wasIn && this.#gamepads.leaves) this.leave();
@@ -144,17 +148,17 @@ export class FirstPersonInput {
    */
   enter(device?: Device): void {
     // A page may mind gamepads, too. Their buttons are no gestures by which browsers lock the pointer.
-    if (!device && hasEntering(connectedGamepads())) {
+    if (!device && hasEntering(connectedGamepads(this.#window))) {
       this.#goIn("gamepad");
       return;
     }
-    const hasMouse = !this.#isTouched && matchMedia("(any-pointer: fine)").matches;
+    const hasMouse = !this.#isTouched && this.#window.matchMedia("(any-pointer: fine)").matches;
     const pointer = hasMouse ? this.#mouse : "touch";
     this.#goIn(device ?? (this.#isByKey ? "keyboard" : pointer));
     if (!this.#isIn || !hasMouse || this.#isLocked) return;
     const wait = Math.max(0, this.#unlockedAt + LOCK_COOL_DOWN - performance.now());
-    clearTimeout(this.#lockTimer);
-    this.#lockTimer = window.setTimeout(() => void this.#lock(), wait);
+    this.#window.clearTimeout(this.#lockTimer);
+    this.#lockTimer = this.#window.setTimeout(() => void this.#lock(), wait);
   }
 
   #goIn(device: Device): void {
@@ -170,7 +174,7 @@ export class FirstPersonInput {
   }
 
   leave(): void {
-    clearTimeout(this.#lockTimer);
+    this.#window.clearTimeout(this.#lockTimer);
     this.#release();
     const wasIn = this.#isIn;
     this.#isIn = false;
@@ -286,7 +290,7 @@ export class FirstPersonInput {
     if (!this.#isLocked && !isDragging) return;
     // The first move after a lock can jump (three.js #16874), and so can mice that report faster than
     // the screen redraws (a-frame #5177): once, where a fast hand makes several long moves.
-    const isFast = Math.hypot(event.movementX, event.movementY) > screen.width / 3;
+    const isFast = Math.hypot(event.movementX, event.movementY) > this.#window.screen.width / 3;
     const isJump = this.#isFirstMove || (isFast && !this.#wasFast);
     this.#isFirstMove = false;
     this.#wasFast = isFast;
@@ -322,7 +326,7 @@ export class FirstPersonInput {
 }
 
 /** Gamepads that the browser shows us: none before one of their buttons was pressed. */
-function connectedGamepads(): readonly (Pad | null)[] {
+function connectedGamepads({ navigator }: Window): readonly (Pad | null)[] {
   try {
     return navigator.getGamepads?.() ?? [];
   } catch {

@@ -30,12 +30,18 @@ interface Finger {
  * the candle down or takes it up.
  */
 export class Touch {
+  readonly #window: Window;
   readonly #fingers = new Map<number, Finger>();
   #lastTap: PointerEvent | null = null;
   #yaw = 0;
   #pitch = 0;
   #actions: Partial<Record<Action, true>> = {};
-  #holdTimer: ReturnType<typeof setTimeout> | undefined;
+  #holdTimer = 0;
+
+  /** @param view that shows what is touched */
+  constructor(view: Window) {
+    this.#window = view;
+  }
 
   /** @param box where the zones are, in client coordinates */
   down(begin: PointerEvent, box: DOMRect): void {
@@ -44,8 +50,8 @@ export class Touch {
     const finger: Finger = { walks, begin, last: begin, isSteady: true };
     this.#fingers.set(pointerId, finger);
     if (walks) return;
-    clearTimeout(this.#holdTimer);
-    this.#holdTimer = setTimeout(() => {
+    this.#window.clearTimeout(this.#holdTimer);
+    this.#holdTimer = this.#window.setTimeout(() => {
       if (finger.isSteady && this.#fingers.get(pointerId) === finger) {
         this.#actions.placesOrTakes = true;
       }
@@ -80,7 +86,7 @@ export class Touch {
 
   /** Forgets fingers, and what no frame has read of them. */
   release(): void {
-    clearTimeout(this.#holdTimer);
+    this.#window.clearTimeout(this.#holdTimer);
     this.#fingers.clear();
     this.#lastTap = null;
     this.read();

@@ -1,5 +1,6 @@
 import { Gpu } from "../gl/gpu.js";
 import type { SceneName } from "../settings.js";
+import { windowOf } from "../window-of.js";
 
 /** A canvas on the page, and the WebGL context that its frames are drawn in. */
 export abstract class CanvasTarget {
@@ -41,7 +42,7 @@ export function createCanvasTarget(scene: SceneName, canvas: HTMLCanvasElement):
 class DedicatedContextTarget extends CanvasTarget {
   gpu = new Gpu(this.canvas);
   readonly source = this.canvas;
-  readonly #wide = matchMedia("(color-gamut: p3)");
+  readonly #wide = windowOf(this.canvas).matchMedia("(color-gamut: p3)");
 
   get gamut(): PredefinedColorSpace {
     return this.#wide.matches ? "display-p3" : "srgb";

@@ -13,7 +13,7 @@ const ALLOWED: Readonly<Record<string, readonly string[]>> = {
   "src/gl": ["shaders/post/fullscreen.vert"],
   "src/world": ["gl-matrix", "src/settings.ts"],
   "src/light": ["src/world", "src/settings.ts"],
-  "src/input": ["src/world"],
+  "src/input": ["src/world", "src/window-of.ts"],
   "src/assets": ["three", "@gltf-transform/core:types"],
   "src/render": [
     "gl-matrix",
@@ -24,7 +24,15 @@ const ALLOWED: Readonly<Record<string, readonly string[]>> = {
     "src/settings.ts",
     "shaders",
   ],
-  "src/scenes": ["src/gl", "src/render", "src/light", "src/world", "src/assets", "src/settings.ts"],
+  "src/scenes": [
+    "src/gl",
+    "src/render",
+    "src/light",
+    "src/world",
+    "src/assets",
+    "src/settings.ts",
+    "src/window-of.ts",
+  ],
   "src/element": [
     "src/candle-flame.ts",
     "src/create-candle.ts",
@@ -35,6 +43,7 @@ const ALLOWED: Readonly<Record<string, readonly string[]>> = {
     "src/scenes",
     "src/world",
     "src/settings.ts",
+    "src/window-of.ts",
   ],
   "src/page": [
     "src/define.ts",

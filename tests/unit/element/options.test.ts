@@ -17,6 +17,14 @@ test("for visitors who want less motion the wind blows without gusts", () => {
   expect(gustinessOf("reduced")).toBe(0);
 });
 
+test("a visitor is asked for less motion in the window that shows the element", () => {
+  const stillIn = (matches: boolean) => {
+    const ownerDocument = { defaultView: { matchMedia: () => ({ matches }) } };
+    return optionsWith({}, { motion: "auto", ownerDocument }).isStill;
+  };
+  expect([stillIn(true), stillIn(false)]).toEqual([true, false]);
+});
+
 test("a wick that is no number is the model's own", () => {
   expect(optionsWith({ wick: "2" }).wick).toBe(0.002);
   expect(optionsWith({ wick: "thick" }).wick).toBeNull();

@@ -16,9 +16,7 @@ const MOCKS = {
 };
 
 beforeEach(() => {
-  vi.stubGlobal("window", globalThis);
-  vi.stubGlobal("matchMedia", () => ({ matches: false }));
-  vi.stubGlobal("devicePixelRatio", 1);
+  vi.stubGlobal("window", { devicePixelRatio: 1 });
   vi.resetModules();
   for (const [path, mock] of Object.entries(MOCKS)) vi.doMock(path, () => mock);
   return () => {

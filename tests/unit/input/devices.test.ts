@@ -168,7 +168,7 @@ describe("fingers", () => {
   let time: number;
   beforeEach(() => {
     vi.useFakeTimers();
-    touch = new Touch();
+    touch = new Touch(globalThis as unknown as Window);
     time = 0;
     return () => vi.useRealTimers();
   });

@@ -1,10 +1,14 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import { FirstPersonInput } from "../../../src/input/first-person-input.ts";
 
+/** As much of a window as the input asks: another than the script's. */
+let view = {};
+
 /** As much of a page as the input listens to. */
 function place() {
   const root = { pointerLockElement: null as unknown, activeElement: null as unknown };
   const ownerDocument = Object.assign(new EventTarget(), {
+    defaultView: view,
     hasFocus: () => true,
     exitPointerLock: () => {},
   });
@@ -46,10 +50,14 @@ const withButtons = (...pressed: number[]) => ({
 });
 
 beforeEach(() => {
-  vi.stubGlobal("window", { innerWidth: 300, setTimeout: () => 0 });
-  vi.stubGlobal("screen", { width: 1500 });
-  vi.stubGlobal("matchMedia", () => ({ matches: true }));
-  return () => vi.unstubAllGlobals();
+  view = {
+    innerWidth: 300,
+    screen: { width: 1500 },
+    navigator: {},
+    matchMedia: () => ({ matches: true }),
+    setTimeout: () => 0,
+    clearTimeout: () => {},
+  };
 });
 
 test("a quick mouse turns the view in a narrow frame too, and one jump is dropped", () => {
@@ -102,7 +110,7 @@ test("Enter walks in alone, and once: with a modifier it is the browser's, as al
 test("a gamepad's A walks in when it goes down, not when the focus finds it down", () => {
   const { input, host, entered } = place();
   const read = (...pressed: number[]) => {
-    vi.stubGlobal("navigator", { getGamepads: () => [withButtons(...pressed)] });
+    Object.assign(view, { navigator: { getGamepads: () => [withButtons(...pressed)] } });
     input.read();
   };
   read(0);
@@ -117,8 +125,8 @@ test("a gamepad's A walks in when it goes down, not when the focus finds it down
 test("a page that enters while a gamepad's A is down enters by gamepad, and locks no pointer", () => {
   const { input, entered } = place();
   const timers = vi.fn();
-  vi.stubGlobal("window", { setTimeout: timers });
-  vi.stubGlobal("navigator", { getGamepads: () => [null, withButtons(0)] });
+  const navigator = { getGamepads: () => [null, withButtons(0)] };
+  Object.assign(view, { setTimeout: timers, navigator });
   input.enter();
   expect(entered.mock.calls).toEqual([[true, "gamepad"]]);
   expect(timers).not.toHaveBeenCalled();
@@ -155,7 +163,7 @@ test("a click on the host walks in, as the page's own click() does; one on what 
 
 /** A place whose pointer lock is asked for at once; the browser answers as it is told to. */
 function placeWithLock(answer: () => Promise<void> | undefined) {
-  vi.stubGlobal("window", { setTimeout: (action: () => void) => action() });
+  Object.assign(view, { setTimeout: (action: () => void) => action() });
   const request = vi.fn(answer);
   const { canvas, host, ...rest } = place();
   Object.assign(canvas, { requestPointerLock: request });
@@ -239,7 +247,7 @@ test("a refused lock changes nothing for who came in by keyboard", async () => {
 test("without the focus nobody is in, and no lock is asked for", () => {
   const { input, host, entered } = place();
   const setTimeout = vi.fn();
-  vi.stubGlobal("window", { setTimeout });
+  Object.assign(view, { setTimeout });
   host.isInert = true;
   input.enter();
   expect([entered.mock.calls, setTimeout.mock.calls]).toEqual([[], []]);

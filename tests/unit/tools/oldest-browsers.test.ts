@@ -31,6 +31,7 @@ const MARKUP_EXCEPTIONS: Readonly<Record<string, string>> = {
 const SCRIPT_EXCEPTIONS: Readonly<Record<string, string>> = {
   ".currentCSSZoom": "`device-pixels.ts` takes it as 1 without it",
   ".devicePixelContentBoxSize": "`device-pixels.ts` guesses without it",
+  ".devicePixelRatio": "Safari's leaves out the page's zoom",
   ".drawingBufferColorSpace": "sRGB without it",
   ".exitPointerLock": "phones do not lock the pointer",
   ".getLayoutMap": "keys are named as on an English keyboard without it",
