@@ -267,12 +267,13 @@ export class FirstPersonInput {
     if (target !== this.#host || ctrlKey || metaKey || altKey) return;
     if (this.#isIn) {
       if (code === "Escape") this.leave();
-      else if (this.#keyboard.press(event)) event.preventDefault();
-    } else if (ENTER.has(code) && !event.repeat) {
-      event.preventDefault();
+      else if (!this.#keyboard.press(event)) return;
+    } else {
+      if (!ENTER.has(code) || event.repeat) return;
       this.#isTouched = false;
       this.enter("keyboard");
     }
+    event.preventDefault(); // Esc would close the dialog around it, too
   };
 
   readonly #pointerDown = (event: PointerEvent): void => {

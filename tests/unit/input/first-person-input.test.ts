@@ -107,6 +107,16 @@ test("Enter walks in alone, and once: with a modifier it is the browser's, as al
   expect(entered.mock.calls).toEqual([[true, "keyboard"]]);
 });
 
+test("Esc that ends a walk ends nothing else; another one is the browser's", () => {
+  const { input, host, press } = place();
+  host.focus();
+  expect(press("Escape")).toBe(true);
+  press("Enter");
+  expect(press("Escape")).toBe(false);
+  expect(input.isIn).toBe(false);
+  expect(press("Escape")).toBe(true);
+});
+
 test("a gamepad's A walks in when it goes down, not when the focus finds it down", () => {
   const { input, host, entered } = place();
   const read = (...pressed: number[]) => {
