@@ -23,7 +23,7 @@ export function moveCamera(
   position: ArrayLike<number>,
   yaw: number,
   pitch: number,
-  fieldOfView: number | null = world.fieldOfView,
+  fieldOfView = fieldOfViewOf(world),
 ): void {
   const { player, setup } = world;
   const before = [...player.position, player.yaw, player.pitch, fieldOfViewOf(world)];
@@ -36,7 +36,8 @@ export function moveCamera(
   world.movementBounds.clamp(player.position);
   if (Number.isFinite(yaw)) player.yaw = yaw;
   if (Number.isFinite(pitch)) player.pitch = Math.min(Math.max(pitch, -MAX_PITCH), MAX_PITCH);
-  world.fieldOfView = fieldOfView === setup.fieldOfView ? null : fieldOfView;
+  const isOwn = fieldOfView === setup.fieldOfView;
+  if (fieldOfView !== before[5]) world.fieldOfView = isOwn ? null : fieldOfView;
   // The camera is where it was put, whatever keys are held; who only moves goes on turning.
   if (player.yaw !== before[3] || player.pitch !== before[4]) world.lead.turn = world.lead.tilt = 0;
   calmHand(world.hand, player);

@@ -2,13 +2,13 @@ import { describe, expect, test, vi } from "vitest";
 import { CandleFlame, type Options } from "../../src/candle-flame.ts";
 import type { CanvasTarget } from "../../src/scenes/canvas-target.ts";
 import type { Scene } from "../../src/scenes/scene.ts";
-import { allFeatures } from "../../src/settings.ts";
+import { allFeatures, FIELDS_OF_VIEW } from "../../src/settings.ts";
 import { advance } from "../../src/world/advance.ts";
 import { blow, moveCamera, placeCandle } from "../../src/world/commands.ts";
 import { litFlames } from "../../src/world/flames.ts";
 import { STILL } from "../../src/world/player/intent.ts";
 import type { Wick } from "../../src/world/standing-candle.ts";
-import { currentTime } from "../../src/world/world.ts";
+import { currentTime, fieldOfViewOf } from "../../src/world/world.ts";
 
 const OPTIONS = {
   look: "paper",
@@ -71,6 +71,19 @@ test("a candle that was put down stands there again after a look that has a plac
   candle.reset();
   candle.options = OPTIONS;
   expect(candle.world.candle.isHeld, "as if new").toBe(true);
+});
+
+test("a field of view that the page has set stays through a look that has the same one", () => {
+  const candle = create(false, [], "physical");
+  const turn = (fieldOfView: number) => moveCamera(candle.world, [0, 1.6, 2], 0, 0, fieldOfView);
+  turn(FIELDS_OF_VIEW.paper);
+  candle.options = OPTIONS;
+  turn(fieldOfViewOf(candle.world));
+  candle.options = { ...OPTIONS, look: "physical" };
+  expect(fieldOfViewOf(candle.world)).toBe(FIELDS_OF_VIEW.paper);
+  turn(FIELDS_OF_VIEW.physical);
+  candle.options = OPTIONS;
+  expect(fieldOfViewOf(candle.world), "the look's own again").toBe(FIELDS_OF_VIEW.paper);
 });
 
 test("the moon shines from where the page wants it, and from its own place when that is taken back", () => {
