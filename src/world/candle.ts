@@ -8,8 +8,8 @@ import type { WorldSetup } from "./world-setup.js";
 const ARM_AHEAD = [0, 0, 0.9] as const;
 /** Room that the candle needs around its axis in a box, metres. */
 const CANDLE_MARGIN = 0.12;
-/** Farthest at which a standing candle can be taken up, metres along the floor. */
-const GRASP = 1.6;
+/** Farthest along the floor that a candle is taken up from; more than it is put down at, for a step back. Metres. */
+export const GRASP = 1.5;
 /** Bounds of holder, candle and flame. */
 export const CANDLE_CYLINDER: Cylinder = { radius: 0.07, height: 0.28 };
 
@@ -42,7 +42,7 @@ interface Place {
 export function isWithinReach(candle: Place, player: Place): boolean {
   const dx = candle.position[0] - player.position[0];
   const dz = candle.position[2] - player.position[2];
-  return Math.hypot(dx, dz) < GRASP;
+  return Math.hypot(dx, dz) <= GRASP;
 }
 
 function putAhead(

@@ -1,4 +1,5 @@
 import { vec3 } from "gl-matrix";
+import { GRASP } from "../candle.js";
 import type { Vec3 } from "../geometry.js";
 import { WALKER_RADIUS } from "../player/player.js";
 import type { CollisionMesh, RayHit } from "./collision-mesh.js";
@@ -28,8 +29,6 @@ export const REACH = 1.2;
 /** Highest above the eye, and lowest below the floor: an arm stretched up, a step down. Metres. */
 const REACH_UP = 0.35;
 const REACH_DOWN = 0.3;
-/** Farthest at which a standing candle can be taken; more than `REACH`, for a step back. Metres. */
-const GRASP = 1.5;
 /** Distance of the spot where the line of sight meets no surface, metres. */
 const AHEAD = 0.8;
 /** From there, how far apart surfaces are looked for, nearer and farther, and how often. Metres. */

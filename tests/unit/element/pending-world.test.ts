@@ -35,6 +35,8 @@ describe("between two worlds", () => {
   });
 
   test("one out of reach of the camera is not", () => {
+    expect(standing(1.49).take()).toBe(true);
+    expect(standing(1.51).take()).toBe(false);
     const pending = standing(3);
     expect([pending.take(), pending.isHeld]).toEqual([false, false]);
     const [x, y, z] = pending.cameraFor("physical").position;
