@@ -19,6 +19,10 @@ const WICK_END = 0.004;
 const JUMP = 0.3;
 /** Time until the glowing wick smokes at full strength, seconds. */
 const KINDLING = 0.12;
+/** Time in which a flame that is lit anew comes to burn all of its vapour, seconds. */
+const BURNING_OFF = 0.05;
+/** Share of the full smoke that is not seen. */
+const LEAST_STRENGTH = 0.01;
 
 /** Plume of a flame: hot gas that rises, and smoke when it is out. */
 export class Plume {
@@ -94,8 +98,9 @@ export class Plume {
       heater.power = (EMBER_POWER * (flame.ember - ROOM)) / (GLOWING - ROOM);
       heater.height = EMBER_HEIGHT;
     }
-    smoke.strength += ((smoking - smoke.strength) * PLUME_STEP) / KINDLING;
-    smoke.isFed = smoking > 0;
+    const time = flame.isLit ? BURNING_OFF : KINDLING;
+    smoke.strength += ((smoking - smoke.strength) * PLUME_STEP) / time;
+    smoke.isFed = smoking > 0 || smoke.strength > LEAST_STRENGTH;
   }
 }
 

@@ -125,6 +125,21 @@ describe("smoke after the flame is out", () => {
     expect(later.seconds).toBeLessThan(1.5);
   });
 
+  test("thins out where the flame is lit again, rather than be cut", () => {
+    const again = createWorld("physical", 1, { wind: DRAUGHT, createPlume });
+    again.flame.extinguish();
+    advance(again, STILL, 1);
+    const strengths = [smokeOf(again).strength];
+    again.flame.light();
+    for (let step = 0; step < 18; step++) {
+      advance(again, STILL, 1 / 60);
+      strengths.push(smokeOf(again).isFed ? smokeOf(again).strength : 0);
+    }
+    const cut = strengths.map((strength, i) => (strengths[i - 1] ?? strength) - strength);
+    expect(Math.max(...cut), String(strengths)).toBeLessThan(0.4 * (strengths[0] ?? 0));
+    expect(strengths.at(-1)).toBe(0);
+  });
+
   test("spreads in a breath as what a turbulent jet carries does, and hardly shows before it is over", () => {
     const blown = createWorld("physical", 1, { setup: LONE_CANDLE_SETUP, createPlume });
     blow(blown, 1);
