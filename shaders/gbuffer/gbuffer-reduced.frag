@@ -48,7 +48,7 @@ void main() {
   float side = gl_FrontFacing ? 1.0 : -1.0;
   float shading = 1.0;
 #if !UNTEXTURED
-  if (frame.normalMaps > 0.5) {
+  if (frame.normalMaps > 0.5 && !isWax(uMaterial)) {
     vec3 L = vToLight * (side * inversesqrt(dot(vToLight, vToLight)));
     vec3 normal = tangentNormal(texture(uNormal, vUvAndOcclusion.xy).xy, uSurface.z);
     shading = normalMapShading(L.z, dot(normal, L));

@@ -28,7 +28,7 @@ void main() {
   vec3 packed = texture(uOcclusionRoughness, vUv).rgb;
   vec3 normal = directionOf(vNormalWorld) * (gl_FrontFacing ? 1.0 : -1.0);
   float shading = 1.0;
-  if (frame.normalMaps > 0.5) {
+  if (frame.normalMaps > 0.5 && !isWax(uMaterial)) {
     vec3 mapped = perturbedNormal(texture(uNormal, vUv).xy, normal, vTangentWorld, uSurface.z);
     vec3 L = normalize(uCaptureOrigin - vPositionWorld);
     shading = normalMapShading(dot(normal, L), dot(mapped, L));

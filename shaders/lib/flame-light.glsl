@@ -35,8 +35,9 @@ layout(std140) uniform Light {
 
 // Height of the candle's lip over its top, mean around it, m.
 const float LIP = 0.0007;
-// Depth of the dish of melted wax below the candle's top, m.
+// Depth of the dish of melted wax below the candle's top, m, and its radius, as a share of the top's.
 const float DISH = 0.003;
+const float DISH_RADIUS = 0.9;
 
 // Penumbra of a horizontal disc around the candle's axis, by a point of the light, at a receiver below the disc: 0
 // where the disc hides all of the capsule's width, 1 where none.
@@ -67,7 +68,7 @@ float discVisibility(vec3 position, float height, float radius) {
 // Visible share of the capsule past candle and holder, each a disc: a centimetre from the light they are too near for
 // a shadow map.
 float candleVisibility(vec3 position) {
-  bool isInDish = position.y > light.rim - DISH && distance(position.xz, light.axis) < light.rimRadius;
+  bool isInDish = position.y > light.rim - DISH && distance(position.xz, light.axis) < DISH_RADIUS * light.rimRadius;
   if (position.y > light.rim || isInDish) return 1.0;
   float pan = position.y < light.pan - 0.004 ? discVisibility(position, light.pan, light.panRadius) : 1.0;
   return min(pan, discVisibility(position, light.rim + LIP, light.rimRadius));

@@ -11,6 +11,26 @@ const float LEAST_HEIGHT = 0.01;
 // Wax of other candles than the flame's own begins farther from its axis, m.
 const float WAX_REACH = 0.06;
 
+// Distance at which light that scatters in wax blurs its relief, m, and the share of a normal's slope that it leaves.
+const float SCATTERED = 0.002;
+const float SLOPE_LEFT = 0.4;
+
+bool isOwnWax(vec3 position) {
+  return distance(position.xz, light.axis) < WAX_REACH;
+}
+
+// Cosine to the flame on wax: gradually 0 where the flame sinks below the horizon. `surface`: normal of the mesh.
+float waxCosine(vec3 surface, vec3 position, vec3 toLight) {
+  if (isOwnWax(position)) {
+    vec2 outward = normalize(position.xz - light.axis + 1e-6) * length(surface.xz);
+    surface = normalize(vec3(outward, 0.0) + SLOPE_LEFT * (surface.xzy - vec3(outward, 0.0))).xzy;
+  }
+  float extent = light.radius + light.halfHeight * abs(dot(light.along, surface)) + SCATTERED;
+  float height = dot(surface, toLight);
+  float above = clamp(height + extent, 0.0, 2.0 * extent);
+  return max(above * above / (4.0 * extent), height) * inversesqrt(dot(toLight, toLight));
+}
+
 // Radiosity of wax of an albedo of 1, for 1 cd, lm/m².
 vec3 waxTransmission(vec3 position) {
   float depth = max(light.rim - position.y, 0.0);
@@ -20,6 +40,6 @@ vec3 waxTransmission(vec3 position) {
 
 // Radiance for an albedo of 1, cd/m².
 vec3 waxGlow(vec3 position) {
-  if (distance(position.xz, light.axis) > WAX_REACH) return vec3(0.0);
+  if (!isOwnWax(position)) return vec3(0.0);
   return light.intensity / PI * waxTransmission(position);
 }

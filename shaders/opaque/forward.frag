@@ -66,6 +66,7 @@ float footprint;  // of the pixel on the surface, m
 // their sides, whatever their own normal. `divisor`: of the number of taps.
 vec2 visibilitiesOf(int divisor, vec3 surface, vec3 facet, bool isCrevice) {
   vec2 visibilities = vec2(0.0);
+  if (uWax > 0.5 && isOwnWax(vPositionWorld)) return vec2(candleVisibility(vPositionWorld));
   if (dot(surface, light.position) > dot(surface, vPositionWorld) || isCrevice) {
     vec3 toward = faceforward(facet, vPositionWorld - light.position, facet);
     float rise = isCrevice ? CREVICE_HEIGHT * dot(surface, toward) : 0.0;
@@ -88,13 +89,14 @@ DirectLight directLight(Shading s, vec2 visibilities) {
   vec3 toLight = light.position - vPositionWorld;
   float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
   vec3 L = toLight * inversesqrt(distanceSquared);
-  float NoL = max(dot(s.normal, L), 0.0);
+  float cosine = max(dot(s.normal, L), 0.0) * normalMapVisibility(s.surface, s.normal, L) * s.minified.y;
+  if (uWax > 0.5) cosine = waxCosine(s.surface, vPositionWorld, toLight);
   float wickCosine = uIsWick * WICK_COSINE;
   float visibility = wickCosine > 0.0 ? 1.0 : visibilities.x;
   vec3 unshadowed = light.intensity / distanceSquared;
   vec3 perCosine = unshadowed * mix(1.0, visibility, uFeatures.x);
   float pool = withPool(toLight, distanceSquared);
-  vec3 irradiance = perCosine * pool * max(NoL * normalMapVisibility(s.surface, s.normal, L) * s.minified.y, wickCosine);
+  vec3 irradiance = perCosine * pool * max(cosine, wickCosine);
   if (uIsPane > 0.5) irradiance = min(irradiance, PANE_IRRADIANCE * light.intensity);
   vec3 sides = unshadowed * pool * mix(1.0, max(visibilities.x, visibilities.y), uFeatures.x);
   vec3 halfAxis = light.along * light.halfHeight;

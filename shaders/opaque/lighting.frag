@@ -81,7 +81,10 @@ vec4 flameLighting(LightingTexel texel) {
   vec3 normal = texel.normal;
   // Computed first, to save registers. Four rotations of the taps side by side, which the upsampling averages.
   float visibility = 0.0;
-  if (dot(normal, light.position) > dot(normal, position)) {
+  bool isWaxy = isWax(texel.material);
+  if (isWaxy && isOwnWax(position)) {
+    visibility = candleVisibility(position);
+  } else if (dot(normal, light.position) > dot(normal, position)) {
     vec2 tile = mod(floor(gl_FragCoord.xy), 2.0);
     visibility = candleVisibility(position);
     int search = visibility > 0.0 ? COUNT(SHADOW_SEARCH) : 0;
@@ -92,7 +95,7 @@ vec4 flameLighting(LightingTexel texel) {
   vec3 toLight = light.position - position;
   float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
   vec3 L = toLight * inversesqrt(distanceSquared);
-  float NoL = max(dot(normal, L), 0.0);
+  float NoL = isWaxy ? waxCosine(normal, position, toLight) : max(dot(normal, L), 0.0);
   float perArea = mix(1.0, visibility, uFeatures.x) / distanceSquared;
   float irradiance = NoL * perArea * withPool(toLight, distanceSquared);
   if (isGlass(texel.material)) irradiance = min(irradiance, PANE_IRRADIANCE);
@@ -106,7 +109,7 @@ vec4 flameLighting(LightingTexel texel) {
   vec3 room = supportIrradiance(support, position, 0.5 - 0.5 * v.reflected.y) * v.factors.y;
   perCandela += metallic * room;
   float added = (1.0 - metallic) * (fresnel * specular + v.mirrored * luma(room));
-  vec3 glow = isWax(texel.material) ? waxGlow(position) : vec3(0.0);
+  vec3 glow = isWaxy ? waxGlow(position) : vec3(0.0);
   return vec4(perCandela * light.intensity + glow, added * luma(light.intensity));
 }
 

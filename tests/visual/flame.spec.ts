@@ -95,6 +95,47 @@ test("Light integrated over the picture is the flame's, from all sides, straight
   expect(room.complaints).toEqual([]);
 });
 
+for (const [quality, most] of [
+  ["low", 0.2],
+  ["high", 0.12],
+] as const) {
+  test(`Wax below a flame that is blown over its edge is lit evenly, ${quality}`, async ({
+    page,
+  }) => {
+    const size = { width: 160, height: 160 };
+    const room = await openPlain(page, 0.5, size, {
+      quality,
+      wind: "1",
+      "wind-direction": "180",
+    });
+    const steps = await room.evaluate((element) => {
+      element.take();
+      element.camera = { position: [0, 2.2, 0.5], yaw: 0, pitch: -0.73 };
+      element.place();
+      element.step(1);
+      const [x, y, z] = element.candles[0]?.position ?? [Number.NaN, Number.NaN, Number.NaN];
+      const position = [x, y - 0.05, z + 0.35] as const;
+      element.camera = { position, yaw: 0, pitch: 0, fieldOfView: 0.3 };
+      element.step(0.1);
+      const { width, height } = element.stats;
+      const radiance = element.readRadiance(0, 0, width, height);
+      const red = (column: number, row: number) => radiance[3 * (row * width + column)] ?? 0;
+      const steps: number[] = [];
+      // Beside a run of wax.
+      for (let row = Math.ceil(0.2 * height); row < 0.75 * height; row++) {
+        for (let column = Math.ceil(0.42 * width); column < 0.52 * width; column++) {
+          steps.push(Math.abs(Math.log(red(column, row + 1) / red(column, row))));
+        }
+      }
+      return steps.sort((a, b) => a - b);
+    });
+    const steep = steps[Math.floor(0.95 * steps.length)] ?? Number.NaN;
+    console.log(`${quality}: ${steep.toFixed(3)} from row to row in the steepest twentieth`);
+    expect(steep).toBeLessThan(most);
+    expect(room.complaints).toEqual([]);
+  });
+}
+
 test("A flame that a gust blows over is drawn once in each pixel", async ({ page }) => {
   await openSources(page);
   for (const degrees of [0, 90, 190]) {
