@@ -2,9 +2,10 @@ import supportFrag from "../../../shaders/gi/support-radiosity.frag";
 import totalRadiosityFrag from "../../../shaders/gi/total-radiosity.frag";
 import type { Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
 import type { Vec3 } from "../../world/geometry.js";
+import { frustumTest } from "../camera.js";
 import { floats } from "../float-format.js";
 import type { CaptureLight } from "../light-block.js";
-import { clipFromFace, isInCubeFace } from "../shadow/cube-map.js";
+import { clipFromFace } from "../shadow/cube-map.js";
 import type { ShadowCasters } from "../shadow/shadow-casters.js";
 import type { IndirectDetail } from "./probe-rays.js";
 import { Surfels } from "./surfels.js";
@@ -58,9 +59,8 @@ export class SurfelPass extends Surfels {
     const { size } = this;
     const uClipFromWorld = clipFromFace(face, captureOrigin, -1);
     const uniforms = { uClipFromWorld, uCaptureOrigin: captureOrigin };
-    this.draw(casters, { viewport: [face * size, 0, size, size], uniforms }, (box) =>
-      isInCubeFace(face, captureOrigin, box),
-    );
+    const draw = { viewport: [face * size, 0, size, size], uniforms } as const;
+    this.draw(casters, draw, frustumTest(uClipFromWorld));
   }
 
   /** And of the support. */

@@ -1,5 +1,5 @@
 import { mat4 } from "gl-matrix";
-import type { Bounds, Vec3 } from "../../world/geometry.js";
+import type { Vec3 } from "../../world/geometry.js";
 
 /** Near plane of a candle's cube, metres: the candle itself is nearer to the centre. */
 export const NEAR = 0.04;
@@ -59,22 +59,4 @@ export function clipFromShadowFace(
   }
   out[14]! -= 2 * near;
   return out;
-}
-
-/**
- * Whether a box may touch the frustum of one face of a cube around `origin` (metres).
- *
- * @param reach half the frustum's width, as a share of the distance along the face's direction
- */
-export function isInCubeFace(face: number, origin: Vec3, { min, max }: Bounds, reach = 1): boolean {
-  const { axis, sign } = FACES[face]!;
-  // Farthest extent of the box along the face's direction.
-  const ahead = sign > 0 ? max[axis]! - origin[axis]! : origin[axis]! - min[axis]!;
-  for (let side = 0; side < 3; side++) {
-    if (side === axis) continue;
-    const low = min[side]! - origin[side]!;
-    const high = max[side]! - origin[side]!;
-    if (low > ahead * reach || -high > ahead * reach) return false;
-  }
-  return ahead > 0;
 }

@@ -2,8 +2,9 @@ import { vec3 } from "gl-matrix";
 import type { Gpu, Texture } from "../../gl/gpu.js";
 import type { Bounds, Vec3 } from "../../world/geometry.js";
 import { finish, type Steps } from "../../world/steps.js";
+import { frustumTest } from "../camera.js";
 import { SCHEDULE } from "../schedule.js";
-import { clipFromShadowFace, FACES, isInCubeFace, NEAR } from "./cube-map.js";
+import { clipFromShadowFace, FACES, NEAR } from "./cube-map.js";
 import { depthProgram, type ShadowCasters } from "./shadow-casters.js";
 
 /** Width of a face's tile as a share of the face's: `SHADOW_REACH` of `shaders/lib/shadow-tiles.glsl`. */
@@ -121,13 +122,12 @@ export class ShadowPass {
     const { target, tile, near, depth } = this.#atlas;
     this.#gpu.clear(target, [0, 0, 0, 0], [0, 2 * tile * this.#slot, 3 * tile, 2 * tile]);
     for (const face of FACES.keys()) {
+      const uClipFromWorld = clipFromShadowFace(face, captureOrigin, REACH, near);
+      const isInFace = frustumTest(uClipFromWorld);
+      const [x, y] = [(face >> 1) * tile, ((face % 2) + 2 * this.#slot) * tile];
       casters.drawDepth(
-        {
-          target,
-          viewport: [(face >> 1) * tile, ((face % 2) + 2 * this.#slot) * tile, tile, tile],
-          uClipFromWorld: clipFromShadowFace(face, captureOrigin, REACH, near),
-        },
-        (box) => isInCubeFace(face, captureOrigin, box, REACH) && (isNeeded?.(box) ?? true),
+        { target, viewport: [x, y, tile, tile], uClipFromWorld },
+        (box) => isInFace(box) && (isNeeded?.(box) ?? true),
       );
       yield;
     }

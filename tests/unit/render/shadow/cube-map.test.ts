@@ -1,6 +1,7 @@
 import { type mat4, vec4 } from "gl-matrix";
 import { expect, test } from "vitest";
-import { clipFromShadowFace, FACES, isInCubeFace } from "../../../../src/render/shadow/cube-map.ts";
+import { frustumTest } from "../../../../src/render/camera.ts";
+import { clipFromShadowFace, FACES } from "../../../../src/render/shadow/cube-map.ts";
 import type { Vec3 } from "../../../../src/world/geometry.ts";
 
 const ORIGIN: Vec3 = [0.4, 1.1, -0.7];
@@ -54,8 +55,8 @@ test("a box beyond a face's edges is within its reach, as far as that goes", () 
     min: [ORIGIN[0] + 2, ORIGIN[1] + across, ORIGIN[2]] as Vec3,
     max: [ORIGIN[0] + 2, ORIGIN[1] + across + 0.1, ORIGIN[2]] as Vec3,
   });
-  expect(isInCubeFace(0, ORIGIN, box(1.9))).toBe(true);
-  expect(isInCubeFace(0, ORIGIN, box(2.1))).toBe(false);
-  expect(isInCubeFace(0, ORIGIN, box(2.1), REACH)).toBe(true);
-  expect(isInCubeFace(0, ORIGIN, box(2.3), REACH)).toBe(false);
+  expect(frustumTest(clipFromShadowFace(0, ORIGIN, 1, 0.04))(box(1.9))).toBe(true);
+  expect(frustumTest(clipFromShadowFace(0, ORIGIN, 1, 0.04))(box(2.1))).toBe(false);
+  expect(frustumTest(clipFromShadowFace(0, ORIGIN, REACH, 0.04))(box(2.1))).toBe(true);
+  expect(frustumTest(clipFromShadowFace(0, ORIGIN, REACH, 0.04))(box(2.3))).toBe(false);
 });
