@@ -127,13 +127,6 @@ export class HazePass {
     }
   }
 
-  *boundingSpheres(source: HotAir): Generator<Sphere> {
-    if (!this.#measure(source)) return;
-    for (let level = 0; level < LEVELS; level++) {
-      if (this.#deflections[level]! >= VISIBLE) yield this.#sphere(level);
-    }
-  }
-
   #sphere(level: number): Sphere {
     const [x, y, z, width] = this.#column.subarray(4 * level, 4 * level + 4);
     return [x!, y!, z!, REACH * width!];

@@ -195,7 +195,7 @@ export class VolumetricStage {
     }
   }
 
-  /** Spheres around each flame, each candle's smoke, and the hot air over each flame. */
+  /** Spheres around each flame, and each candle's smoke. Tiers that ask for them have no haze. */
   *#spheres(
     { world, settings, clipFromWorld }: FrameInput,
     size: Size,
@@ -207,10 +207,7 @@ export class VolumetricStage {
       else if (emberRadiance(candle.flame.ember)[0] >= FAINTEST_EMBER)
         yield [[x, y, z, EMBER_REACH]];
     }
-    if (!world.plume) return;
-    if (settings.features.smoke) yield* smokeSpheres(world);
-    if (!this.#haze || !settings.features.haze) return;
-    for (const hotAir of this.#hotAir(world)) yield this.#haze.boundingSpheres(hotAir);
+    if (world.plume && settings.features.smoke) yield* smokeSpheres(world);
   }
 }
 
