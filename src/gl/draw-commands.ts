@@ -18,7 +18,7 @@ export type Box = readonly [number, number, number, number];
 export interface Draw {
   readonly program: Program;
   readonly target: Surface;
-  /** Default: none, for a shader that makes the three corners of a triangle over the whole target. */
+  /** Default: none, for a shader that makes its vertices; by default those of a triangle over the whole target. */
   readonly vertexArray?: VertexArray;
   readonly uniforms?: Readonly<Record<string, UniformValue>>;
   readonly textures?: Readonly<Record<string, Texture>>;

@@ -7,7 +7,6 @@ import type {
   Texture,
   TextureView,
   UniformBlock,
-  VertexArray,
 } from "../../gl/gpu.js";
 import { BODY_SIZE, outline } from "../../light/flame-body.js";
 import { carriedFlame, type RootedFlame, TAPER } from "../../light/flame-light.js";
@@ -40,7 +39,6 @@ export class FlamePass {
   readonly #flame: UniformBlock;
   readonly #body: Texture;
   readonly #outline: Texture;
-  readonly #hull: VertexArray;
   readonly #shape = createShape();
   /** From the table's values to radiance. */
   readonly #scale: number;
@@ -68,7 +66,6 @@ export class FlamePass {
         ),
       },
     });
-    this.#hull = gpu.vertexArray("flame/hull", { attributes: {}, count: HULL_VERTICES });
   }
 
   /**
@@ -102,7 +99,7 @@ export class FlamePass {
     this.#gpu.draw({
       program: this.#program,
       target,
-      vertexArray: this.#hull,
+      count: HULL_VERTICES,
       textures: { uBody: this.#body, uOutline: this.#outline },
       blocks: { Frame: frame, Flame: this.#flame },
       blend: "premultiplied",

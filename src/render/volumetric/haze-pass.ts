@@ -2,14 +2,7 @@ import type { mat4 } from "gl-matrix";
 import hazeFrag from "../../../shaders/volumetric/haze.frag";
 import hazeVert from "../../../shaders/volumetric/haze.vert";
 import copyFrag from "../../../shaders/volumetric/haze-copy.frag";
-import type {
-  Gpu,
-  Program,
-  RenderTarget,
-  TextureFormat,
-  UniformBlock,
-  VertexArray,
-} from "../../gl/gpu.js";
+import type { Gpu, Program, RenderTarget, TextureFormat, UniformBlock } from "../../gl/gpu.js";
 import type { RootedFlame } from "../../light/flame-light.js";
 import { COLUMN_FLOATS, hotColumn, unsolvedColumn } from "../../world/air/hot-column.js";
 import { plumeGrid } from "../../world/air/plume-grid.js";
@@ -48,7 +41,6 @@ export class HazePass {
   readonly #format: TextureFormat;
   readonly #refractProgram: Program;
   readonly #copyProgram: Program;
-  readonly #ribbon: VertexArray;
   readonly #plumeColumn = new Float32Array(LEVELS * COLUMN_FLOATS);
   /** Centre and standard deviation of each level, metres. */
   readonly #column = new Float32Array(LEVELS * 4);
@@ -62,7 +54,6 @@ export class HazePass {
     this.#refractProgram = this.#program(0);
     const defines = { LEVELS, REFRACTS: 0 };
     this.#copyProgram = gpu.program("volumetric/haze-copy", hazeVert, copyFrag, { defines });
-    this.#ribbon = gpu.vertexArray("haze/ribbon", { attributes: {}, count: 2 * LEVELS });
   }
 
   #program(SHOWS_OFFSET: 0 | 1): Program {
@@ -93,7 +84,6 @@ export class HazePass {
     if (!this.#strip || !this.#measure(source)) return;
     const { left: begin, right: end, first, count } = this.#visiblePart(clip);
     const ribbon = {
-      vertexArray: this.#ribbon,
       first,
       count,
       primitive: "strip",
