@@ -61,13 +61,13 @@ export class SummedSurfaces {
   /** Draws the depth of the surfaces alone. */
   drawDepth(target: RenderTarget, frame: UniformBlock, meshes: readonly Mesh[]): void {
     for (const mesh of meshes) {
-      const { vertexArray, textures, uniforms, isDoubleSided } = mesh;
+      const { vertexArray, textures, uniforms, isDoubleSided, isCutOut } = mesh;
       this.#gpu.draw({
         program: this.#depthProgram(mesh),
         target,
         vertexArray,
         textures,
-        uniforms: { ...(isWhole(mesh) ? {} : uniforms), uPlacement: [0, 0, 0, 0] },
+        uniforms: { ...(isCutOut ? uniforms : {}), uPlacement: [0, 0, 0, 0] },
         blocks: { Frame: frame },
         depth: "test-and-write",
         writesColor: false,
@@ -76,8 +76,8 @@ export class SummedSurfaces {
     }
   }
 
-  #depthProgram(mesh: Mesh): Program {
-    const defines = isWhole(mesh) ? {} : { CUTOUT: 1, COLORED: 1 };
+  #depthProgram({ isCutOut }: Mesh): Program {
+    const defines = isCutOut ? { CUTOUT: 1, COLORED: 1 } : {};
     return this.#gpu.program("mesh/depth", meshVert, depthFrag, { defines });
   }
 
@@ -86,5 +86,3 @@ export class SummedSurfaces {
     this.#cached.dispose();
   }
 }
-
-const isWhole = ({ uniforms }: Mesh) => uniforms.uSurface[3] === 0;

@@ -40,7 +40,8 @@ export class DepthPass {
 
   /** Asks for the programs that models will be drawn with, so that they are compiled by then. */
   prepare(instances: readonly ModelInstance[]): void {
-    if (this.#cutOutProgram || instances.every(({ meshes }) => meshes.every(isWhole))) return;
+    if (this.#cutOutProgram) return;
+    if (!instances.some(({ meshes }) => meshes.some(({ isCutOut }) => isCutOut))) return;
     this.#cutOutProgram = this.#programOf({ CUTOUT: 1 });
   }
 
@@ -70,25 +71,16 @@ export class DepthPass {
   #mergedOf(meshes: readonly Mesh[]): Merged {
     const known = this.#merged.get(meshes);
     if (known) return known;
-    const whole = meshes.filter(isWhole);
+    const whole = (isTwoSided: boolean) =>
+      meshes.filter((mesh) => !mesh.isCutOut && mesh.isDoubleSided === isTwoSided);
     const merged = {
-      oneSided: mergedTriangles(
-        this.#gpu,
-        whole.filter(({ isDoubleSided }) => !isDoubleSided),
-      ),
-      doubleSided: mergedTriangles(
-        this.#gpu,
-        whole.filter(({ isDoubleSided }) => isDoubleSided),
-      ),
-      cutOut: meshes.filter((mesh) => !isWhole(mesh)),
+      oneSided: mergedTriangles(this.#gpu, whole(false)),
+      doubleSided: mergedTriangles(this.#gpu, whole(true)),
+      cutOut: meshes.filter(({ isCutOut }) => isCutOut),
     };
     this.#merged.set(meshes, merged);
     return merged;
   }
-}
-
-function isWhole({ uniforms }: Mesh): boolean {
-  return !(uniforms.uSurface[3] > 0);
 }
 
 function mergedTriangles(gpu: Gpu, meshes: readonly Mesh[]): VertexArray {

@@ -56,7 +56,7 @@ export class DepthPrepass {
     for (const { meshes, placement } of instances) {
       for (const mesh of meshes) {
         // What lies behind holes in a mesh is visible.
-        if (mesh.uniforms.uSurface[3] > 0) continue;
+        if (mesh.isCutOut) continue;
         for (const run of visibleRuns(mesh, placement, isVisible)) {
           this.#gpu.draw({
             program: this.#program,

@@ -73,7 +73,11 @@ test("the depth prepass of meshes with holes is compiled before the first frame 
   const stage = new ForwardStage(createGpu([], asked), tierNamed("medium"));
   stage.resize(SIZE);
   const shade = (alphaCutoff: number) => {
-    const mesh = { uniforms: { uSurface: [1, 0, 1, alphaCutoff] }, clusters: [] };
+    const mesh = {
+      isCutOut: alphaCutoff > 0,
+      uniforms: { uSurface: [1, 0, 1, alphaCutoff] },
+      clusters: [],
+    };
     const frame = {
       world: createWorld("physical", 1),
       settings: { features: {}, inspect: "picture", isMoving: false, canDefer: true },
