@@ -149,7 +149,7 @@ export class PhysicalRenderer implements Renderer {
     const captures = yield* this.#captures.steps(frame);
     yield;
     if (!settings.canDefer) {
-      yield* this.#opaque.fillGBuffer(frame);
+      if (this.#opaque.fillGBuffer) yield* this.#opaque.fillGBuffer(frame);
       yield;
       yield* this.#opaque.shade(frame, captures);
       yield;
@@ -170,7 +170,7 @@ export class PhysicalRenderer implements Renderer {
   /** @param known captures. Default: they are updated */
   *#draw(frame: FrameInput, known?: Captures): Steps {
     const { world, settings } = frame;
-    const kind = yield* this.#opaque.fillGBuffer(frame);
+    const kind = this.#opaque.fillGBuffer ? yield* this.#opaque.fillGBuffer(frame) : "full";
     yield;
     // A reprojected frame has the intensity of the frame that it was lit in.
     if (kind !== "reprojected") {

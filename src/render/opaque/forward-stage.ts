@@ -109,11 +109,6 @@ export class ForwardStage implements OpaqueStage {
     this.#candleLayers.resize({ width, height });
   }
 
-  *fillGBuffer(): Steps<"full"> {
-    yield;
-    return "full";
-  }
-
   *shade(input: FrameInput, captures: Captures): Steps<OpaqueLayer> {
     if (!this.#resolved?.depth) throw new Error("The forward stage has no size yet.");
     const settings = this.#checkerboard?.settle(input.settings) ?? input.settings;

@@ -43,7 +43,7 @@ export interface OpaqueStage {
   readonly images?: number;
   resize(size: Size): void;
   /** Forward shading has no G-buffer, and is always `full`. */
-  fillGBuffer(frame: FrameInput): Steps<GBufferKind>;
+  fillGBuffer?(frame: FrameInput): Steps<GBufferKind>;
   shade(frame: FrameInput, captures: Captures): Steps<OpaqueLayer>;
   /** Radiance in cd/m² within a region. */
   composite(frame: FrameInput, layer: OpaqueLayer, target: CompositedFrame, region: Box): void;

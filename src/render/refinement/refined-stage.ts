@@ -172,11 +172,6 @@ export class RefinedStage implements OpaqueStage {
     return this.#drawn.splice(0);
   }
 
-  *fillGBuffer(): Steps<"full"> {
-    yield;
-    return "full";
-  }
-
   *shade(frame: FrameInput, captures: Captures): Steps<OpaqueLayer> {
     const light = { ...this.#light!, captureOrigin: captures.shadow.captureOrigin };
     const { instances, clipFromWorld, settings } = frame;
