@@ -145,11 +145,12 @@ export class MoonCaptures {
     const { model, surfaces, collision } = this.#scene;
     const frustum = moonFrustum(direction, model.bounds, panesOf(model));
     const parts = moonCasters(model.parts, frustum);
-    if (!frustum.panes && !entersRoom(direction, parts, model.bounds)) return null;
+    const blockers = new CollisionMesh(parts);
+    if (!frustum.panes && !entersRoom(direction, blockers, model.bounds)) return null;
     const before = { ...model, parts };
     const detail = { error: 0 };
     while (!clustersOf(before, detail).proceed()) yield;
-    const lit = moonlitPoints(frustum, new CollisionMesh(parts), this.#detail);
+    const lit = moonlitPoints(frustum, blockers, this.#detail);
     const trace = probeTraceOf(collision, model, this.#detail);
     while (!trace.proceed(SCHEDULE.probesPerFrame)) yield;
     const { positions } = trace.finish();

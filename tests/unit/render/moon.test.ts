@@ -103,10 +103,14 @@ test("moonlight enters a room through its opening, and no other way", () => {
   const bounds = { min: [-2, 0, -2], max: [2, 2.5, 2] } as const;
   const without = { ...room, indices: room.indices.slice(6) }; // the wall at +X
   for (const azimuth of [0, 90, 180, 270]) {
-    expect(entersRoom(lightFrom(azimuth, 20), [room], bounds), `closed, ${azimuth}`).toBe(false);
-    expect(entersRoom(lightFrom(azimuth, 20), [without], bounds), `open, ${azimuth}`).toBe(
-      azimuth === 270,
-    );
+    expect(
+      entersRoom(lightFrom(azimuth, 20), new CollisionMesh([room]), bounds),
+      `closed, ${azimuth}`,
+    ).toBe(false);
+    expect(
+      entersRoom(lightFrom(azimuth, 20), new CollisionMesh([without]), bounds),
+      `open, ${azimuth}`,
+    ).toBe(azimuth === 270);
   }
 });
 
