@@ -1,13 +1,13 @@
 #version 300 es
-// A tile of the refined image, to its place.
+// A tile of the refined image, to its place; or all that it begins with.
 // In and out: radiance per candela, depth. In: moonlight in alpha, which is counted as the flame's from now on.
 #include "lib/precision.glsl"
 
 uniform sampler2D uRadiance;
 uniform sampler2D uDepth;
-uniform vec2 uOrigin;       // of the tile, pixels
-uniform float uFlamelight;  // 1, or 0 where all flames are out
-uniform vec3 uMoonlight;    // lx, for 1 cd
+uniform vec2 uOrigin;      // of the tile, pixels
+uniform vec3 uFlamelight;  // factor on what comes from flames: 0 where all are out
+uniform vec3 uMoonlight;   // lx, for 1 cd
 
 out vec4 oRadiance;
 

@@ -1,5 +1,5 @@
 import type { Model } from "../assets/model.js";
-import type { Box, Texture, UniformBlock } from "../gl/gpu.js";
+import type { Box, Texture } from "../gl/gpu.js";
 import type { ParticleLayer } from "../world/particles/particle-layer.js";
 import type { Steps } from "../world/steps.js";
 import type { World } from "../world/world.js";
@@ -15,11 +15,10 @@ export interface Models {
   readonly candle: Model;
 }
 
-/** Surfaces without media: radiance in cd/m², its depth, the flame that it is of, and captures of its light. */
+/** Surfaces without media: radiance in cd/m², its depth, and captures of its light. */
 export interface Surfaces {
   readonly radiance: Texture;
   readonly depth: Texture;
-  readonly light: UniformBlock;
   readonly captures: Captures;
 }
 

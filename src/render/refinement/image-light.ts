@@ -8,6 +8,8 @@ import type { FrameInput } from "../frame-input.js";
 import { flameIntensity, lightBlock } from "../light-block.js";
 
 const WHITE: Rgb = [1, 1, 1];
+/** A flame that is out lights nothing, candela. */
+const LEAST = 1e-6;
 
 /** The light that a refined image is per candela of: the flame; the moon alone; or all flames as they burnt at the beginning. */
 export class ImageLight {
@@ -77,5 +79,6 @@ export class ImageLight {
 }
 
 function divide(one: Rgb, other: Rgb): Rgb {
-  return [one[0] / other[0], one[1] / other[1], one[2] / other[2]];
+  const part = (i: 0 | 1 | 2) => one[i] / Math.max(other[i], LEAST);
+  return [part(0), part(1), part(2)];
 }

@@ -60,7 +60,6 @@ export class InitialSurfaces {
     this.blocks.Light.update(lightBlock(world, settings.features.candle));
     const target = this.#radiance!.with(layer.depth);
     this.#stage.composite(frame, layer, target, wholeOf(size));
-    const { color: radiance, depth } = target;
-    return { radiance, depth, light: this.blocks.Light, captures };
+    return { radiance: target.color, depth: target.depth, captures };
   }
 }

@@ -1,4 +1,3 @@
-import beginFrag from "../../../shaders/refinement/begin.frag";
 import copyFrag from "../../../shaders/refinement/copy-tile.frag";
 import type { Box, Gpu, Program, RenderTarget } from "../../gl/gpu.js";
 import type { Vec3 } from "../../world/geometry.js";
@@ -15,7 +14,11 @@ import {
   normalMapVisibilityOf,
   normalMapVisibilityProgram,
 } from "../mesh/normal-map-visibility.js";
-import { areForwardProgramsCompiled, nightProgram } from "../opaque/forward-programs.js";
+import {
+  areForwardProgramsCompiled,
+  forwardProgram,
+  nightProgram,
+} from "../opaque/forward-programs.js";
 import { ForwardStage } from "../opaque/forward-stage.js";
 import type { FrameBlocks, OpaqueLayer, OpaqueStage } from "../opaque/opaque-stage.js";
 import type { Tier } from "../quality.js";
@@ -32,6 +35,7 @@ import { TILE, tilesAround } from "./tiles.js";
 
 const BLACK = [0, 0, 0, 1] as const;
 const NOTHING = [0, 0, 0] as const;
+const WHITE = [1, 1, 1] as const;
 /** Frames between draws that compile, so that the GPU is not behind by two of them. */
 const REST_FRAMES = 3;
 const ONE_PIXEL: Box = [0, 0, 1, 1];
@@ -62,7 +66,6 @@ export class RefinedStage implements OpaqueStage {
   readonly #tier: Tier;
   readonly #forward: ForwardStage;
   readonly #prepass: DepthPrepass;
-  readonly #begin: Program;
   readonly #copy: Program;
   /** Of one tile: its samples, and its pixels. */
   readonly #samples: RenderTarget;
@@ -94,7 +97,6 @@ export class RefinedStage implements OpaqueStage {
     this.#tier = tier;
     this.#forward = new ForwardStage(gpu, tier);
     normalMapVisibilityProgram(gpu);
-    this.#begin = gpu.pass("refinement/begin", beginFrag);
     this.#copy = gpu.pass("refinement/copy-tile", copyFrag);
     const tile = { width: TILE, height: TILE, color: ["RGBA16F"], depth: "texture" } as const;
     const { samples } = tier;
@@ -102,7 +104,8 @@ export class RefinedStage implements OpaqueStage {
     this.#resolved = gpu.renderTarget({ label: "refinement/tile", ...tile, filter: "nearest" });
     this.format = this.#forward.format;
     this.blocks = this.#forward.blocks;
-    this.imageLight = new ImageLight(gpu.uniformBlock(this.#begin, "Light"));
+    const program = forwardProgram(gpu, tier, { isMoonlit: false });
+    this.imageLight = new ImageLight(gpu.uniformBlock(program, "Light"));
     this.#prepass = new DepthPrepass(gpu, this.blocks.Frame);
     this.display = new RefinedDisplayPass(gpu, this);
   }
@@ -129,10 +132,14 @@ export class RefinedStage implements OpaqueStage {
     this.#tiles = [];
     this.#gpu.clear(target, BLACK);
     this.#gpu.draw({
-      program: this.#begin,
+      program: this.#copy,
       target,
       textures: { uRadiance: coarse.radiance, uDepth: coarse.depth },
-      blocks: { Light: this.imageLight.isOfFlame ? coarse.light : this.imageLight.block },
+      uniforms: {
+        uOrigin: [0, 0],
+        uFlamelight: this.imageLight.perCandela(WHITE),
+        uMoonlight: NOTHING,
+      },
       depth: "test-and-write",
     });
     this.captures.begin(frame, coarse.captures);
@@ -259,7 +266,7 @@ export class RefinedStage implements OpaqueStage {
       uniforms: {
         uOrigin: [x, y],
         // Where no moonlight enters the room, or by another program than the night's, it is shaded for a flame of 1 cd.
-        uFlamelight: this.imageLight.isUnlit ? 0 : 1,
+        uFlamelight: this.imageLight.isUnlit ? NOTHING : WHITE,
         uMoonlight: moon ? this.imageLight.perCandela(moon.intensity) : NOTHING,
       },
       depth: "test-and-write",
