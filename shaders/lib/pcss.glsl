@@ -5,7 +5,6 @@
 //
 // A texel of the shadow cube is compared with the plane of the lit surface, where the ray through the texel's center
 // meets it: a flat surface never shadows itself, however coarse the cube, and what lies on it does.
-#include "lib/random.glsl"
 #include "lib/shadow-cube.glsl"
 
 // A caster less far before the plane is the plane: metres; texels, since narrower joints are not resolved.

@@ -2,7 +2,6 @@
 // along x. Needs lib/flame-light.glsl.
 // MOON: the surfaces that the moon lights, one a texel of its map, and in the last rows the panes that the sky
 // shines through. Needs lib/moon.glsl instead.
-#include "lib/photometry.glsl"
 
 uniform sampler2D uSurfelNormalDistance;
 

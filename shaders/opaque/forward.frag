@@ -7,7 +7,6 @@
 // Out: radiance per candela; or the normal, to inspect. MOONLIT: alpha: luminance per lux. Rod vision needs no more.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
-#include "lib/compile-time.glsl"
 #include "lib/normal-map.glsl"
 #include "lib/relief.glsl"
 #include "lib/flame-light.glsl"

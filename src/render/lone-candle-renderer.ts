@@ -101,7 +101,6 @@ export class LoneCandleRenderer extends LoneRenderer {
         },
         blocks: { Frame: frame, Light: light },
         depth: "test-and-write",
-        cull: "back",
       });
     }
   }

@@ -56,6 +56,8 @@ export class StandingCandleCaptures {
   readonly #shadow: ShadowPass;
   readonly #indirect: IndirectPass;
   readonly #block: UniformBlock;
+  /** Of the candle that it is captured for: no other takes the slot meanwhile. */
+  name: string | null = null;
   #light: Omit<CachedLight, "intensity"> | null = null;
   /** Of its flame, m. */
   #wick = 0;
@@ -74,14 +76,10 @@ export class StandingCandleCaptures {
     this.#block = surfels.block;
   }
 
-  /** Of the candle that it was last captured for. */
-  get name(): string | null {
-    return this.#light?.name ?? null;
-  }
-
   *light(candle: StandingCandle, casters: ShadowCasters): Steps<CachedLight> {
     const { wick } = candle.flame;
     if (this.name !== candle.name || this.#wick !== wick || !this.#light) {
+      this.name = candle.name;
       this.#light = null; // the steps may be abandoned
       this.#wick = wick;
       this.#light = yield* this.#capture(candle, casters);

@@ -122,7 +122,7 @@ export class RefinedStage implements OpaqueStage {
   /** Begins with the surfaces of a coarser renderer on the same `Gpu`, of the same view, and with the current light. */
   begin(world: World, settings: FrameSettings, coarse: Surfaces): void {
     const frame = this.#frames.describe(world, settings);
-    const target = this.#whole;
+    const target = this.#image!;
     this.#firstFrame?.return();
     this.#firstFrame = null;
     this.images++;
@@ -164,7 +164,7 @@ export class RefinedStage implements OpaqueStage {
     if (hasCandles) areForwardProgramsCompiled(this.#gpu, this.#tier, lights, meshesOf(frame));
     if (isMoonAlone(frame.world, held.cached)) nightProgram(this.#gpu, this.#tier);
     if (this.#gpu.isCompiling || !this.#hasDrawn(frame, held)) return false;
-    this.#tiles = tilesAround(this.#whole, frame.flameUvs[0] ?? [0.5, 0.5]);
+    this.#tiles = tilesAround(this.#image!, frame.flameUvs[0] ?? [0.5, 0.5]);
     return true;
   }
 
@@ -190,7 +190,7 @@ export class RefinedStage implements OpaqueStage {
       if (tile) this.#drawTile(frame, light, captures, tile);
     }
     yield;
-    const { color: uRadiance, depth } = this.#whole;
+    const { color: uRadiance, depth } = this.#image!;
     this.imageLight.update(frame);
     const blocks = { ...this.blocks, Light: this.imageLight.block };
     const textures = { uRadiance, uDepth: depth! };
@@ -226,7 +226,7 @@ export class RefinedStage implements OpaqueStage {
   }
 
   *#drawOffScreen(frame: FrameInput): Steps {
-    const { width, height } = this.#whole;
+    const { width, height } = this.#image!;
     const screen = this.#gpu.renderTarget({ label: "screen", width, height, color: ["RGBA8"] });
     try {
       yield* this.#frames.draw({ ...frame, screen });
@@ -241,7 +241,7 @@ export class RefinedStage implements OpaqueStage {
 
   /** Draws a tile to a multisampled target of its own, since drivers resolve whole targets only. */
   #drawTile(frame: FrameInput, light: CaptureLight, captures: Captures, box: Box): void {
-    const target = this.#whole;
+    const target = this.#image!;
     const { width, height } = target;
     const [x, y] = box;
     const moon = moonOf(captures.cached);
@@ -272,10 +272,6 @@ export class RefinedStage implements OpaqueStage {
       depth: "test-and-write",
       scissor: box,
     });
-  }
-
-  get #whole(): RenderTarget {
-    return this.#image!;
   }
 
   composite(frame: FrameInput, layer: OpaqueLayer, target: CompositedFrame, region: Box): void {
