@@ -43,10 +43,10 @@ export class DeferredStage implements OpaqueStage {
     this.#lighting = new LightingPass(gpu, tier);
     this.format = this.#lighting.format;
     this.blocks = { Frame: this.#lighting.frame, Light: this.#lighting.light };
-    const summed = { ...this.blocks, Light: this.#lighting.newLightBlock() };
     const { full } = this.#lighting;
+    const summed = { ...this.blocks, Light: gpu.uniformBlock(full, "Light") };
     this.#cached = new CachedLighting(gpu, tier.shadow, this.format, summed, full);
-    const jittered = this.#lighting.newFrameBlock();
+    const jittered = gpu.uniformBlock(full, "Frame");
     this.#gbufferPass = new GBufferPass(gpu, this.blocks.Frame, jittered, lods, atRest);
     this.#composite = forEachGBufferKind((defines) =>
       gpu.pass("opaque/composite", compositeFrag, { defines }),

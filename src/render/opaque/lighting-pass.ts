@@ -61,18 +61,10 @@ export class LightingPass {
     this.full = this.#program(tier.shadow, { REDUCED: 0 });
     this.#gather = gpu.pass("opaque/gather-inverse-depth", gatherFrag);
     this.format = floats(gpu, 4);
-    this.frame = this.newFrameBlock();
-    this.light = this.newLightBlock();
-    this.#shadingLight = this.newLightBlock();
-    this.#representative = this.newLightBlock();
-  }
-
-  newFrameBlock(): UniformBlock {
-    return this.#gpu.uniformBlock(this.full, "Frame");
-  }
-
-  newLightBlock(): UniformBlock {
-    return this.#gpu.uniformBlock(this.full, "Light");
+    this.frame = gpu.uniformBlock(this.full, "Frame");
+    this.light = gpu.uniformBlock(this.full, "Light");
+    this.#shadingLight = gpu.uniformBlock(this.full, "Light");
+    this.#representative = gpu.uniformBlock(this.full, "Light");
   }
 
   #program({ search, taps, bias }: ShadowQuality, kind: Readonly<Record<string, number>>): Program {
