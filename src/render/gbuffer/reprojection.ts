@@ -10,8 +10,8 @@ const CLIP_FROM_PLACE: mat4 = [2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -1, 1
 
 /** Matrices from the current frame to an earlier one: uv and depth, 0 to 1. */
 export interface Reprojection {
-  readonly room: mat4;
-  readonly held: mat4;
+  readonly room: Float32Array;
+  readonly held: Float32Array;
   /** Largest motion of the room in the image, as a share of its size. */
   readonly motion: number;
 }
@@ -61,11 +61,11 @@ export function reprojectionBetween(
  * @param from clip space of the one, from world space
  * @param to of the other
  */
-export function reprojectionMatrix(from: mat4, to: mat4): mat4 {
+export function reprojectionMatrix(from: mat4, to: mat4): Float32Array {
   const worldFromClip = mat4.invert(mat4.create(), from)!;
   const between = mat4.multiply(mat4.create(), to, worldFromClip);
   mat4.multiply(between, PLACE_FROM_CLIP, between);
-  return mat4.multiply(between, between, CLIP_FROM_PLACE);
+  return mat4.multiply(between, between, CLIP_FROM_PLACE) as Float32Array;
 }
 
 /** Motion of an image's corners under a reprojection, as a share of its size, for surfaces at a distance (m). */

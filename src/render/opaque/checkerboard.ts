@@ -138,7 +138,7 @@ export class Checkerboard {
         uPreviousDepth: previous.depth!,
       },
       uniforms: {
-        uPreviousFromCurrent: reprojection.room as Float32Array,
+        uPreviousFromCurrent: reprojection.room,
         uIsFirst: this.#isFirst ? 1 : 0,
         ...(isStill && { uIntensity: [flame, moon] }),
         uTurns: isStill ? SCHEDULE.checkerboard.stillTurns : SCHEDULE.checkerboard.turns,

@@ -136,8 +136,7 @@ export class LightingPass {
       Light: this.#isOfAll ? this.#representative : this.light,
     };
     if (reprojection) {
-      const uPreviousFromCurrentRoom = reprojection.room as Float32Array;
-      const uPreviousFromCurrentHeld = reprojection.held as Float32Array;
+      const { room: uPreviousFromCurrentRoom, held: uPreviousFromCurrentHeld } = reprojection;
       return { ...lit, uniforms: { uPreviousFromCurrentRoom, uPreviousFromCurrentHeld } };
     }
     const { features, canDefer } = frame.settings;

@@ -16,7 +16,8 @@ import type { OpaqueLayer } from "./opaque-stage.js";
  */
 const SHARE = { new: 0.3, same: 0.02, reprojected: 0.1 } as const;
 
-const NO_MOTION = { room: mat4.create(), held: mat4.create() };
+const STILL = mat4.create() as Float32Array;
+const NO_MOTION = { room: STILL, held: STILL };
 
 interface Targets {
   readonly size: Size;
@@ -75,10 +76,7 @@ export class TemporalUpsampling {
       target: motion,
       textures: { uDepth: gbuffer.depth, uGBufferAlbedo: gbuffer.albedo },
       sampling: { uDepth: "nearest", ...(!isReprojected && { uGBufferAlbedo: "nearest" }) },
-      uniforms: {
-        uPreviousFromCurrentRoom: room as Float32Array,
-        uPreviousFromCurrentHeld: held as Float32Array,
-      },
+      uniforms: { uPreviousFromCurrentRoom: room, uPreviousFromCurrentHeld: held },
     });
     yield;
     const upsample = (target: Surface, uShare: number, scissor?: Box) =>

@@ -104,14 +104,8 @@ export class RefinedFade {
       textures: { ...layer.textures, ...image.textures, uExposure },
       uniforms: {
         ...layer.uniforms,
-        uRefinedFromCurrentRoom: reprojectionMatrix(
-          current.clipFromWorld,
-          source.clipFromWorld,
-        ) as Float32Array,
-        uRefinedFromCurrentHeld: reprojectionMatrix(
-          current.clipFromHeld,
-          source.clipFromHeld,
-        ) as Float32Array,
+        uRefinedFromCurrentRoom: reprojectionMatrix(current.clipFromWorld, source.clipFromWorld),
+        uRefinedFromCurrentHeld: reprojectionMatrix(current.clipFromHeld, source.clipFromHeld),
         uMedia: [
           x / size.width,
           y / size.height,
