@@ -1,14 +1,6 @@
 import updateFrag from "../../../shaders/particles/update.frag";
 import updateVert from "../../../shaders/particles/update.vert";
-import type {
-  Buffer,
-  Draw,
-  Gpu,
-  Program,
-  UniformBlock,
-  UniformValue,
-  VertexArray,
-} from "../../gl/gpu.js";
+import type { Buffer, Draw, Gpu, Program, UniformBlock, VertexArray } from "../../gl/gpu.js";
 import { GROUPS, type ParticleLayer } from "../../world/particles/particle-layer.js";
 import { emissionOf, PARTICLE_FLOATS } from "../../world/particles/particles.js";
 import { pcg } from "../../world/random.js";
@@ -45,13 +37,19 @@ export class ParticleSystem {
   #groups = 0;
   /** Tick until which each group is advanced: until no particle of it lives in either half. */
   readonly #activeUntil = new Float64Array(GROUPS);
-  readonly #tickKeys = new Uint32Array(MAX_TICKS);
-  readonly #births = new Uint32Array(MAX_TICKS);
-  readonly #oldestAge = new Float32Array(MAX_TICKS);
-  readonly #displacement = new Float32Array(MAX_TICKS * 3);
-  readonly #windVelocity = new Float32Array(MAX_TICKS * 2);
   /** Uniforms of the last pass; one object serves all. */
-  readonly #uniforms: Record<string, UniformValue>;
+  readonly #uniforms = {
+    uGroupSize: 0,
+    uTicks: 0,
+    uGroups: 0,
+    uFirstTurn: 0,
+    uFirstKey: 0,
+    uTickKeys: new Uint32Array(MAX_TICKS),
+    uBirths: new Uint32Array(MAX_TICKS),
+    uOldestAge: new Float32Array(MAX_TICKS),
+    uDisplacement: new Float32Array(MAX_TICKS * 3),
+    uWindVelocity: new Float32Array(MAX_TICKS * 2),
+  };
 
   /** @param key seed of this layer, see `layerKey` */
   constructor(gpu: Gpu, layer: ParticleLayer, key: number) {
@@ -61,14 +59,7 @@ export class ParticleSystem {
     this.layer = layer;
     this.#from = this.#half("a");
     this.#to = this.#half("b");
-    this.#uniforms = {
-      uGroupSize: layer.capacity / GROUPS,
-      uTickKeys: this.#tickKeys,
-      uBirths: this.#births,
-      uOldestAge: this.#oldestAge,
-      uDisplacement: this.#displacement,
-      uWindVelocity: this.#windVelocity,
-    };
+    this.#uniforms.uGroupSize = layer.capacity / GROUPS;
     this.#block = gpu.uniformBlock(this.#program, "Layer");
     this.#block.update({
       tick: TICK,
@@ -175,19 +166,20 @@ export class ParticleSystem {
 
   #setTick(timeline: Timeline, tick: number, i: number): void {
     const { layer } = this;
+    const { uTickKeys, uBirths, uOldestAge, uDisplacement, uWindVelocity } = this.#uniforms;
     const { count, age } = emissionOf(layer, tick);
-    this.#tickKeys[i] = pcg((tick + this.#key) >>> 0);
-    this.#births[i] = count;
-    this.#oldestAge[i] = age;
+    uTickKeys[i] = pcg((tick + this.#key) >>> 0);
+    uBirths[i] = count;
+    uOldestAge[i] = age;
     const staysBehind = 1 - layer.follow;
     for (let axis = 0; axis < 3; axis++) {
-      this.#displacement[i * 3 + axis] = timeline.way(tick, axis) * staysBehind;
+      uDisplacement[i * 3 + axis] = timeline.way(tick, axis) * staysBehind;
     }
     const drag = 1 - Math.exp(-layer.drag * TICK);
     const airspeed = (axis: 0 | 2) =>
-      timeline.wind(tick, axis) + this.#displacement[i * 3 + axis]! / TICK;
-    this.#windVelocity[i * 2] = airspeed(0) * drag;
-    this.#windVelocity[i * 2 + 1] = airspeed(2) * drag;
+      timeline.wind(tick, axis) + uDisplacement[i * 3 + axis]! / TICK;
+    uWindVelocity[i * 2] = airspeed(0) * drag;
+    uWindVelocity[i * 2 + 1] = airspeed(2) * drag;
   }
 
   #activate(groups: number, tick: number): void {
