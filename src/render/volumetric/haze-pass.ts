@@ -147,10 +147,8 @@ export class HazePass {
     let largest = 0;
     for (let level = 0; level < LEVELS; level++) {
       const at = level * COLUMN_FLOATS;
-      const [x, y, z, width, deficit] = this.#plumeColumn.subarray(
-        at,
-        at + COLUMN_FLOATS,
-      ) as unknown as [number, number, number, number, number];
+      const numbers = this.#plumeColumn.subarray(at, at + COLUMN_FLOATS);
+      const [x = 0, y = 0, z = 0, width = 0, deficit = 0] = numbers;
       this.#column.set([x, y, z, width], level * 4);
       // Largest gradient of a Gaussian column, one standard deviation from its centre.
       const steepest = (REFRACTION * deficit) / (width * width * Math.sqrt(2 * Math.PI * Math.E));
