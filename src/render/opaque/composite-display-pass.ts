@@ -3,6 +3,7 @@ import displayVert from "../../../shaders/post/display.vert";
 import upscaleFrag from "../../../shaders/post/upscale.frag";
 import type { Box, Gpu, Program, RenderTarget, Surface, Texture } from "../../gl/gpu.js";
 import type { Steps } from "../../world/steps.js";
+import { fittedTarget } from "../fitted-target.js";
 import type { Size } from "../frame-input.js";
 import { forEachGBufferKind, type GBufferKind } from "../gbuffer/gbuffer.js";
 import { type DisplayLut, toneLut } from "../post/display-lut.js";
@@ -91,22 +92,10 @@ export class CompositeDisplayPass {
       composite(screen, size);
       return;
     }
-    if (this.#upscaled?.width !== size.width || this.#upscaled.height !== size.height) {
-      this.#upscaled?.dispose();
-      const { width, height } = size;
-      this.#upscaled = this.#gpu.renderTarget({
-        label: "composite/upscaled",
-        width,
-        height,
-        color: ["RGBA8"],
-      });
-    }
-    const uSource = this.#upscaled;
-    composite(uSource, size);
-    this.#gpu.draw({
-      program: this.#upscale,
-      target: screen,
-      textures: { uSource: uSource.color },
-    });
+    const options = { label: "composite/upscaled", ...size, color: ["RGBA8"] } as const;
+    this.#upscaled = fittedTarget(this.#gpu, this.#upscaled, options);
+    composite(this.#upscaled, size);
+    const textures = { uSource: this.#upscaled.color };
+    this.#gpu.draw({ program: this.#upscale, target: screen, textures });
   }
 }

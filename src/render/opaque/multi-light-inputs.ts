@@ -8,7 +8,7 @@ import type {
 } from "../../gl/gpu.js";
 import type { Rgb } from "../../light/color.js";
 import { type CachedLight, candlesOf } from "../cached-light.js";
-import type { Size } from "../frame-input.js";
+import { fittedTarget } from "../fitted-target.js";
 import type { FlameCaptures } from "../gi/light-captures.js";
 import { drawScaled } from "./candle-layers.js";
 
@@ -37,7 +37,9 @@ export class MultiLightInputs {
     intensity: Rgb,
   ): Required<Pick<Draw, "textures" | "blocks">> {
     const { width, height } = carried.textures.uIrradiance;
-    const target = this.#targetOf({ width, height });
+    const options = { label: "opaque/irradiance", width, height, color: [this.#format] };
+    const target = fittedTarget(this.#gpu, this.#irradiance, options);
+    this.#irradiance = target;
     for (const light of [{ irradiance: carried, intensity }, ...lights]) {
       const { uIrradiance: uRadiance } = light.irradiance.textures;
       const isFirst = light.irradiance === carried;
@@ -60,15 +62,5 @@ export class MultiLightInputs {
       textures: { ...textures, uStandingShadow: first.shadow },
       blocks: { Candles: this.#block },
     };
-  }
-
-  /** One of the size of a light's volume. */
-  #targetOf({ width, height }: Size): RenderTarget {
-    const known = this.#irradiance;
-    if (known?.width === width && known.height === height) return known;
-    known?.dispose();
-    const options = { label: "opaque/irradiance", width, height, color: [this.#format] } as const;
-    this.#irradiance = this.#gpu.renderTarget(options);
-    return this.#irradiance;
   }
 }
