@@ -2,6 +2,7 @@ import type { Model, Part } from "../../assets/model.js";
 import type { Vec3 } from "../../world/geometry.js";
 import type { CollisionMesh, RayHit } from "../../world/room/collision-mesh.js";
 import type { Steps } from "../../world/steps.js";
+import { partsOfTriangles } from "../mesh/triangles.js";
 import { type Task, type Tasks, taskOf } from "../task.js";
 import { type InteriorBounds, interiorBounds, turned } from "./interior-bounds.js";
 import { lightRays } from "./light-rays.js";
@@ -162,16 +163,9 @@ function placeOf(
 
 /** Attributes of hits of the parts' triangles, which are numbered one part after the other. */
 function hitsOn(parts: readonly Part[]) {
-  let count = 0;
-  const firsts = parts.map(({ indices }) => {
-    count += Math.floor(indices.length / 3);
-    return count - Math.floor(indices.length / 3);
-  });
-  const partOf = ({ triangle }: RayHit) => {
-    let part = firsts.length - 1;
-    while (part > 0 && firsts[part]! > triangle) part--;
-    return part;
-  };
+  const numbers = partsOfTriangles(parts);
+  const firsts = parts.map((_, i) => numbers.indexOf(i));
+  const partOf = ({ triangle }: RayHit) => numbers[triangle]!;
   const isInside = (hit: RayHit) => hit.isBack && !parts[partOf(hit)]!.material.isDoubleSided;
   const uvOf = (hit: RayHit) => {
     const part = partOf(hit);

@@ -19,3 +19,8 @@ export function crossOf([a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 {
   const edges = [vec3.subtract([0, 0, 0], b, a), vec3.subtract([0, 0, 0], c, a)] as const;
   return vec3.cross([0, 0, 0], ...edges) as Vec3;
 }
+
+/** Number of the part of each triangle; these are numbered one part after the other. */
+export function partsOfTriangles(parts: readonly Triangles[]): number[] {
+  return parts.flatMap(({ indices }, i) => Array<number>(Math.floor(indices.length / 3)).fill(i));
+}
