@@ -237,6 +237,7 @@ export class DrawCommands {
     const gl = this.gl;
     const { program, uniforms = {}, textures = {}, sampling = {}, blocks = {} } = call;
     this.beforeUse(program);
+    program.finish();
     // First: laying out a block may have to look into another program.
     for (const [name, binding] of program.blocks) {
       const block = blocks[name];

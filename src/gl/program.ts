@@ -113,8 +113,9 @@ export class Program extends GpuObject {
   #stages: readonly Stage[] = [];
   readonly #uniforms = new Map<string, Uniform>();
   readonly #declared: ReadonlySet<string>;
-  readonly #samplers = new Map<string, number>();
-  readonly #blocks = new Map<string, number>();
+  /** Texture units and binding points, by name; once it is finished. */
+  readonly samplers = new Map<string, number>();
+  readonly blocks = new Map<string, number>();
 
   constructor(
     context: GpuContext,
@@ -209,9 +210,9 @@ export class Program extends GpuObject {
       if (location === null) continue; // a member of a block
       if (samplers.includes(active.type)) {
         // The first unit is for filling textures.
-        const unit = this.#samplers.size + 1;
+        const unit = this.samplers.size + 1;
         gl.uniform1i(location, unit);
-        this.#samplers.set(active.name, unit);
+        this.samplers.set(active.name, unit);
         continue;
       }
       const name = active.name.replace(/\[0\]$/, "");
@@ -220,18 +221,8 @@ export class Program extends GpuObject {
     const blocks = gl.getProgramParameter(this.#handle, gl.ACTIVE_UNIFORM_BLOCKS) as number;
     for (let i = 0; i < blocks; i++) {
       gl.uniformBlockBinding(this.#handle, i, i);
-      this.#blocks.set(gl.getActiveUniformBlockName(this.#handle, i)!, i);
+      this.blocks.set(gl.getActiveUniformBlockName(this.#handle, i)!, i);
     }
-  }
-
-  get samplers(): ReadonlyMap<string, number> {
-    this.finish();
-    return this.#samplers;
-  }
-
-  get blocks(): ReadonlyMap<string, number> {
-    this.finish();
-    return this.#blocks;
   }
 
   /**
