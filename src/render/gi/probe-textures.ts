@@ -65,7 +65,14 @@ export function uploadProbeRays(
     filter: "nearest",
   });
   // Made with the textures, so that they are shared, too.
-  const points = pointsOf(gpu, traced);
+  const buffer = gpu.buffer("gi/hit-uvs", traced.hitUvs);
+  const points = gpu.vertexArray("gi/hit-uvs", {
+    attributes: {
+      0: { buffer, size: 2, stride: 4 * FLOAT },
+      1: { buffer, size: 2, stride: 4 * FLOAT, offset: 2 * FLOAT },
+    },
+    count: traced.hitUvs.length / 4,
+  });
   const hits = { uRayHits, uRayReflectance: rayReflectance.color };
   const uniforms = { uRays: rays, uProbeRows: rows };
   function* draw(): Steps {
@@ -80,8 +87,8 @@ export function uploadProbeRays(
       textures: { uRayHits, ...volume },
       blocks: { Volume: block },
     });
-    yield* drawRayReflectance(gpu, reflect, traced, points.vertexArray, rayReflectance, surfaces);
-    points.dispose();
+    yield* drawRayReflectance(gpu, reflect, traced, points, rayReflectance, surfaces);
+    for (const object of [points, buffer]) object.dispose();
     gpu.draw({
       program: ofRoom,
       target: roomReflectance,
@@ -102,21 +109,6 @@ export function uploadProbeRays(
     /** Draws what depends on the hits. To be finished before use. */
     drawing: draw(),
   };
-}
-
-function pointsOf(gpu: Gpu, { hitUvs }: ProbeRays) {
-  const buffer = gpu.buffer("gi/hit-uvs", hitUvs);
-  const vertexArray = gpu.vertexArray("gi/hit-uvs", {
-    attributes: {
-      0: { buffer, size: 2, stride: 4 * FLOAT },
-      1: { buffer, size: 2, stride: 4 * FLOAT, offset: 2 * FLOAT },
-    },
-    count: hitUvs.length / 4,
-  });
-  const dispose = () => {
-    for (const object of [vertexArray, buffer]) object.dispose();
-  };
-  return { vertexArray, dispose };
 }
 
 /** Reflectance at the hits, some of a part's in each step; sampled on the GPU, since decoded images may exist only there. */
