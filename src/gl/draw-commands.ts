@@ -17,7 +17,8 @@ export type Box = readonly [number, number, number, number];
 /** A draw call and all the state it depends on. Members left out have their default, whatever ran before. */
 export interface Draw {
   readonly program: Program;
-  readonly target: Surface;
+  /** Null: nothing is rasterized. */
+  readonly target: Surface | null;
   /** Default: none, for a shader that makes its vertices; by default those of a triangle over the whole target. */
   readonly vertexArray?: VertexArray;
   readonly uniforms?: Readonly<Record<string, UniformValue>>;
@@ -45,12 +46,6 @@ export interface Draw {
   readonly cull?: "none" | "back";
   /** Takes the outputs of the vertex shader that the program captures. Points without indices only. */
   readonly into?: Buffer | undefined;
-}
-
-/** Transform feedback without rasterization: a vertex shader's outputs are captured in `into`. */
-export interface Transform
-  extends Required<Pick<Draw, "program" | "vertexArray" | "uniforms" | "blocks" | "count">> {
-  readonly into: Buffer;
 }
 
 const MODES = { triangles: "TRIANGLES", strip: "TRIANGLE_STRIP", points: "POINTS" } as const;
@@ -92,6 +87,7 @@ export class DrawCommands {
   ): void {
     const gl = this.gl;
     this.#bind(target);
+    this.#switch(gl.RASTERIZER_DISCARD, false);
     this.#writeDepth(true);
     this.#writeColor(true);
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
@@ -105,7 +101,8 @@ export class DrawCommands {
     const { target, vertexArray, primitive = "triangles", viewport, scissor, into } = call;
     const { count = vertexArray?.count ?? 3, first = 0 } = call;
     const { blend = "replace", depth = "none", cull = "back", writesColor = true } = call;
-    this.#bind(target, viewport);
+    if (target) this.#bind(target, viewport);
+    this.#switch(gl.RASTERIZER_DISCARD, target === null);
     this.#switch(gl.SCISSOR_TEST, scissor !== undefined);
     if (scissor) gl.scissor(...scissor);
     this.#bindInputs(call);
@@ -126,16 +123,6 @@ export class DrawCommands {
     }
     this.counts.drawCalls++;
     if (primitive === "triangles") this.counts.triangles += count / 3;
-  }
-
-  transform(call: Transform): void {
-    const gl = this.gl;
-    this.#bindInputs(call);
-    gl.bindVertexArray(call.vertexArray.handle);
-    gl.enable(gl.RASTERIZER_DISCARD);
-    this.#capture(call.into, call.count);
-    gl.disable(gl.RASTERIZER_DISCARD);
-    this.counts.drawCalls++;
   }
 
   #switch(capability: GLenum, isOn: boolean): void {

@@ -170,7 +170,9 @@ export function mixtures(seed: number, seconds: number) {
   const repeated = (reach: number, render: () => void): Mixture => {
     const drawn: Draw[] = [];
     gpu.draw = (draw) => {
-      drawn.push(draw);
+      // What makes vertices goes on.
+      if (draw.target) drawn.push(draw);
+      else Gpu.prototype.draw.call(gpu, draw);
     };
     render();
     Reflect.deleteProperty(gpu, "draw");

@@ -124,8 +124,10 @@ export class ParticleSystem {
   }
 
   #advance(): void {
-    this.#gpu.transform({
+    this.#gpu.draw({
       program: this.#program,
+      target: null,
+      primitive: "points",
       vertexArray: this.#from.vertexArray,
       into: this.#to.buffer,
       count: this.count,

@@ -12,7 +12,7 @@ test("particles that lived when drawing stopped are aged, and do not come back w
     vertexArray: object,
     uniformBlock: object,
     program: object,
-    transform: ({ count }: { count: number }) => counts.push(count),
+    draw: ({ count }: { count: number }) => counts.push(count),
   };
   const sparks = PHYSICAL_LAYERS.find(({ name }) => name === "spark");
   if (!sparks) throw new Error("The physical look has sparks.");
