@@ -49,6 +49,11 @@ const HEATING = 0.3;
 const FADING = 10;
 /** Invisible remainder of light, as a share of a taper's. */
 const UNSEEN = 2e-3;
+/**
+ * Least share of fuel that a flame looks like, for the root of its light: a breath takes fuel faster than light may fade, and
+ * what shines is no smaller than its light. Fitted: without effect on a flame that flickers.
+ */
+const LINGERING = 0.8;
 /** Change of the tip's radius for each share of the volume, as the flame puffs; less below. */
 const NECKING = 1.5;
 const NARROWEST = 0.4;
@@ -186,7 +191,10 @@ export class Flame {
     const gauge = this.#gauge;
     const volume = this.pulse * this.#full;
     gauge.effectiveStrain = this.#isStill ? 0 : Math.max(0, Math.min(this.strain, 1.5) - UNNOTICED);
-    gauge.extent = this.isLit ? this.fuel : this.#remains * Math.sqrt(this.presence);
+    const lingering = LINGERING * Math.sqrt(this.relativeLight);
+    gauge.extent = this.isLit
+      ? Math.max(this.fuel, lingering)
+      : this.#remains * Math.sqrt(this.presence);
     gauge.rate = this.fuel * volume;
     gauge.height = flameHeight(gauge.extent * volume) / (1 + SHORTENING * gauge.effectiveStrain);
     updateLight(gauge);
@@ -230,8 +238,8 @@ export class Flame {
   /** False if it is out already. */
   extinguish(): boolean {
     if (!this.isLit) return false;
+    this.#remains = this.measure().extent;
     this.isLit = false;
-    this.#remains = this.fuel;
     this.#lastGlow = Math.max(this.glow, UNSEEN);
     this.#outFor = 0;
     this.fuel = 0;

@@ -62,11 +62,11 @@ describe("a taper in still air", () => {
     expect(flameHeight(milligramPerMinute)).toBeGreaterThan(0.25e-3);
     expect(flameHeight(milligramPerMinute)).toBeLessThan(0.45e-3);
     const flame = new Flame(TAPER_WICK, true);
-    const heights = [0.5, 1, 1.5].map((share) => {
+    const heights = [1, 1.5, 2].map((share) => {
       flame.fuel = share;
       return flame.height;
     });
-    const slope = Math.log((heights[2] ?? 0) / (heights[0] ?? 1)) / Math.log(3);
+    const slope = Math.log((heights[2] ?? 0) / (heights[0] ?? 1)) / Math.log(2);
     expect(Math.abs(slope - 1)).toBeLessThan(0.15);
   });
 
@@ -175,6 +175,19 @@ describe("out and in again", () => {
     });
     expect(faint).toBe(true);
     expect(full).toBe(false);
+  });
+
+  test("what still shines while it is blown out is a flame, not a bare wick", () => {
+    const world = createWorld("physical", 1);
+    const { flame } = world;
+    blow(world, 1);
+    const heights: number[] = [];
+    for (let i = 0; i < 0.6 / TICK; i++) {
+      advance(world, STILL, TICK);
+      if (flame.relativeLight > 0.1) heights.push(flame.height);
+    }
+    expect(flame.isLit).toBe(false);
+    expect(Math.min(...heights)).toBeGreaterThan(0.003);
   });
 
   test("soft breaths, three a second, are one that goes on", () => {
