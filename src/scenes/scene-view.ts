@@ -46,8 +46,8 @@ export class SceneView {
   #pixels = { width: 1, height: 1 };
   /** Whether targets and textures were made since the driver was last asked whether it accepts them. */
   #isUnchecked = false;
-  /** The renderer whose first frame is drawn: meanwhile the animation loop draws nothing, and a query would block. */
-  #busy: Renderer | null = null;
+  /** What prepares or checks the first frame: meanwhile the animation loop draws nothing, and a query would block. */
+  #busy: object | null = null;
   readonly #counts = noCounts();
   /** Settings of the last frame. */
   #last: ViewFrame | null = null;
@@ -177,8 +177,9 @@ export class SceneView {
   async prepareFrame(view: ViewFrame, isWanted: () => boolean): Promise<void> {
     const renderer = this.#renderer;
     const { gpu } = this.#target;
-    this.#busy = renderer;
-    const isOn = () => isWanted() && this.#busy === renderer && !gpu.isLost;
+    const task = {};
+    this.#busy = task;
+    const isOn = () => isWanted() && this.#busy === task && !gpu.isLost;
     try {
       await gpu.whenCompiled();
       if (!isOn()) return;
@@ -186,7 +187,7 @@ export class SceneView {
       gpu.check("picture");
       await renderer.prepare?.(this.#subject.world, this.#settingsOf(view), isOn);
     } finally {
-      if (this.#busy === renderer) this.#busy = null;
+      if (this.#busy === task) this.#busy = null;
     }
   }
 
@@ -205,6 +206,7 @@ export class SceneView {
     const refining = this.#refines(view) ? this.#refinement : null;
     if (!refining) this.#refinement?.stop(view.isMoving ? this.#renderer : null);
     if (!this.#chooseQuality(view) && !isRequired) return;
+    this.#busy = null; // a suspended preparation would go on in what is drawn now
     const settings = this.#settingsOf(view);
     gpu.beginFrame(this.#counts);
     const size = this.#sizeAt(refining?.tier.resolutionScale ?? 1);
@@ -336,11 +338,11 @@ export class SceneView {
 
   /** Asks the driver whether it accepts what was made, once the GPU has drawn, so that nothing waits. Throws if not. */
   async #check(): Promise<void> {
-    const renderer = this.#renderer;
-    this.#busy = renderer;
+    const task = {};
+    this.#busy = task;
     const { gpu } = this.#target;
     await gpu.whenIdle();
-    if (this.#busy !== renderer) return; // another frame asks again
+    if (this.#busy !== task) return; // another frame asks again
     this.#busy = null;
     this.#isUnchecked = false;
     gpu.check("picture");

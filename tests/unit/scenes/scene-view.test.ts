@@ -22,6 +22,7 @@ function createGpu() {
     compile: () => {},
     whenCompiled: () => new Promise<void>((resolve) => (gpu.compile = resolve)),
     finishPrograms: () => {},
+    isWanted: () => false,
     checks: 0,
     check: () => {
       gpu.checks++;
@@ -41,6 +42,10 @@ function createView(
     particles: 0,
     resize: () => {},
     setLayers: () => {},
+    prepare: async (_world: unknown, _settings: unknown, isWanted: () => boolean) => {
+      gpu.isWanted = isWanted;
+      await new Promise(() => {});
+    },
     render: () => {
       if (gpu.counts) gpu.counts.drawCalls += calls;
     },
@@ -116,6 +121,17 @@ test("the driver is asked about the targets of another resolution of the same ti
   await draw();
   expect(view.stats.resolutionScale).toBeLessThan(resolutionScale);
   expect(gpu.checks).toBe(2);
+});
+
+test("a frame that is required ends the preparation of its renderer, which would go on in what it drew", async () => {
+  const gpu = createGpu();
+  const view = createView(gpu, 1);
+  gpu.whenCompiled = () => Promise.resolve();
+  view.prepareFrame(FRAME, () => true);
+  await expect.poll(() => gpu.isWanted()).toBe(true);
+  view.render(FRAME);
+  view.render(FRAME, true);
+  expect(gpu.isWanted()).toBe(false);
 });
 
 test("a view that is gone neither prepares another frame nor hears what others are refused", async () => {
