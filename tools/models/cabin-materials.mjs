@@ -34,7 +34,7 @@ export const materials = {
   wax: textured("wax"),
   glass: plain([0.002, 0.002, 0.002], 0.05),
   "looking-glass": textured("mirror", { metallic: 1 }),
-  pane: plain([0.02, 0.02, 0.02], 0.05),
+  pane: plain([0.02, 0.02, 0.02], 0.02),
   night: plain([0, 0, 0], 1),
   charcoal: textured("char"),
   ash: textured("plaster", { tint: [0.54, 0.56, 0.63] }),
