@@ -268,12 +268,12 @@ export class FirstPersonInput {
     if (this.#isIn) {
       if (code === "Escape") this.leave();
       else if (!this.#keyboard.press(event)) return;
-    } else {
+    } else if (code !== "Escape" || !event.repeat) {
       if (!ENTER.has(code) || event.repeat) return;
       this.#isTouched = false;
       this.enter("keyboard");
     }
-    event.preventDefault(); // Esc would close the dialog around it, too
+    event.preventDefault(); // Esc would close the dialog around it, too, as it would held down
   };
 
   readonly #pointerDown = (event: PointerEvent): void => {

@@ -114,6 +114,7 @@ test("Esc that ends a walk ends nothing else; another one is the browser's", () 
   press("Enter");
   expect(press("Escape")).toBe(false);
   expect(input.isIn).toBe(false);
+  expect(press("Escape", { repeat: true })).toBe(false);
   expect(press("Escape")).toBe(true);
 });
 
