@@ -38,9 +38,10 @@ function frustumPlanes(clip: mat4): readonly Plane[] {
 }
 
 function isOutside([x, y, z, w]: Plane, { min, max }: Bounds, margin = 0): boolean {
-  const farthest = (slope: number, axis: 0 | 1 | 2) =>
-    slope * (slope > 0 ? max[axis] + margin : min[axis] - margin);
-  return farthest(x, 0) + farthest(y, 1) + farthest(z, 2) + w < 0;
+  const alongX = x * (x > 0 ? max[0] + margin : min[0] - margin);
+  const alongY = y * (y > 0 ? max[1] + margin : min[1] - margin);
+  const alongZ = z * (z > 0 ? max[2] + margin : min[2] - margin);
+  return alongX + alongY + alongZ + w < 0;
 }
 
 /** Frustum culling: a test of boxes for visibility. */

@@ -164,7 +164,11 @@ function placeOf(
 /** Attributes of hits of the parts' triangles, which are numbered one part after the other. */
 function hitsOn(parts: readonly Part[]) {
   const numbers = partsOfTriangles(parts);
-  const firsts = parts.map((_, i) => numbers.indexOf(i));
+  let count = 0;
+  const firsts = parts.map(({ indices }) => {
+    count += Math.floor(indices.length / 3);
+    return count - Math.floor(indices.length / 3);
+  });
   const partOf = ({ triangle }: RayHit) => numbers[triangle]!;
   const isInside = (hit: RayHit) => hit.isBack && !parts[partOf(hit)]!.material.isDoubleSided;
   const uvOf = (hit: RayHit) => {

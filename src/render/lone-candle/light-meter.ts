@@ -95,25 +95,37 @@ function luminanceOf(
 
 /** Middles of triangles, evenly spread over the area that faces forwards or up. */
 function spreadPoints(parts: readonly Part[]): Point[] {
-  const faces = parts.flatMap(facesOf);
-  const total = faces.reduce((sum, { area }) => sum + area, 0);
-  let before = 0;
-  return faces.flatMap(({ area, ...point }) => {
-    const first = Math.floor((before / total) * POINTS);
-    before += area;
-    return new Array<Point>(Math.floor((before / total) * POINTS) - first).fill(point);
-  });
+  const total = parts.reduce((sum, part) => sum + walk(part, () => {}), 0);
+  const points: Point[] = [];
+  let begin = 0;
+  for (const part of parts) {
+    const { isWax } = part.material;
+    begin += walk(part, (position, normal, before, area) => {
+      const [first, next] = [before, before + area].map((at) =>
+        Math.floor(((begin + at) / total) * POINTS),
+      );
+      for (let i = first!; i < next!; i++) points.push({ position, normal, isWax });
+    });
+  }
+  return points;
 }
 
-/** The triangles of a part that face forwards or up, by their middles; areas in m². */
-function facesOf(part: Part): (Point & { readonly area: number })[] {
-  return Array.from({ length: Math.floor(part.indices.length / 3) }, (_, triangle) => {
+/** Visits the triangles of a part that face forwards or up. Returns their area, m². */
+function walk(
+  part: Part,
+  visit: (middle: Vec3, normal: Vec3, before: number, area: number) => void,
+): number {
+  let sum = 0;
+  for (let triangle = 0; 3 * triangle + 2 < part.indices.length; triangle++) {
     const corners = verticesOf(part, triangle);
     const [a, b, c] = corners;
-    const cross = crossOf(corners);
-    const twice = Math.hypot(...cross);
-    const normal = cross.map((x) => x / twice) as Vec3;
-    const position = a.map((x, axis) => (x + b[axis]! + c[axis]!) / 3) as Vec3;
-    return { position, normal, isWax: part.material.isWax, area: twice / 2 };
-  }).filter(({ normal, area }) => area > 0 && normal[1] + normal[2] > 0);
+    const normal = crossOf(corners);
+    const twice = Math.hypot(...normal);
+    if (!(twice > 0) || normal[1] + normal[2] <= 0) continue;
+    for (const axis of [0, 1, 2] as const) normal[axis] /= twice;
+    const middle: Vec3 = [0, 1, 2].map((axis) => (a[axis]! + b[axis]! + c[axis]!) / 3) as Vec3;
+    visit(middle, normal, sum, twice / 2);
+    sum += twice / 2;
+  }
+  return sum;
 }

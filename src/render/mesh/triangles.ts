@@ -21,6 +21,13 @@ export function crossOf([a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 {
 }
 
 /** Number of the part of each triangle; these are numbered one part after the other. */
-export function partsOfTriangles(parts: readonly Triangles[]): number[] {
-  return parts.flatMap(({ indices }, i) => Array<number>(Math.floor(indices.length / 3)).fill(i));
+export function partsOfTriangles(parts: readonly Triangles[]): Uint32Array {
+  const counts = parts.map(({ indices }) => Math.floor(indices.length / 3));
+  const numbers = new Uint32Array(counts.reduce((sum, count) => sum + count, 0));
+  let first = 0;
+  for (const [i, count] of counts.entries()) {
+    numbers.fill(i, first, first + count);
+    first += count;
+  }
+  return numbers;
 }

@@ -129,7 +129,6 @@ test("a frame that is required ends the preparation of its renderer, which would
   gpu.whenCompiled = () => Promise.resolve();
   view.prepareFrame(FRAME, () => true);
   await expect.poll(() => gpu.isWanted()).toBe(true);
-  view.render(FRAME);
   view.render(FRAME, true);
   expect(gpu.isWanted()).toBe(false);
 });
