@@ -71,7 +71,9 @@ const minifiedStyle: Plugin = {
     filter: { id: /src\/element\/style\.ts/ },
     handler: (code) => ({
       code: code.replace(/`[^`]+`/, (css) =>
-        css.replaceAll(/\s*\n\s*/g, "").replaceAll(/;?\s*([{};])\s*|([:,]) /g, "$1$2"),
+        css
+          .replaceAll(/\s*\n\s*/g, "")
+          .replaceAll(/;?\s*([{};])\s*|([:,]) | (\/) |"(\w+)"(?=])|\b0(?=\.)/g, "$1$2$3$4"),
       ),
       map: null,
     }),

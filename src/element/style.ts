@@ -5,6 +5,8 @@
  * A popover is hidden until it is open, and then lies where browsers put any. Browsers without popovers drop these rules,
  * which are apart from the others for that reason.
  *
+ * What is before the content gives an intrinsic width.
+ *
  * The hint's animation begins after a delay, which is no part of it: while one runs, software compositors draw the page
  * 60 times a second.
  */
@@ -20,7 +22,6 @@ const STYLE = `
   color: #f3e7d3;
   font: 1rem/1.5 system-ui, sans-serif;
 }
-/* An intrinsic width. */
 :host::before { content: ""; display: grid; grid: auto / minmax(0, 300px); }
 :host(:is(:state(alone), [state-alone])) { overflow: visible; background: none; isolation: isolate; }
 [part="glow"] { display: none; }
