@@ -65,6 +65,7 @@ slot[name="poster"][hidden] {
   -webkit-user-select: none;
   -webkit-touch-callout: none;
 }
+:host([controls]:is(:state(alone), [state-alone])) canvas { touch-action: manipulation; }
 [hidden] { display: none !important; }
 [part="progress"] {
   position: absolute;

@@ -32,17 +32,21 @@ const hintOf = (room: RoomDriver) =>
     return hint?.textContent?.replaceAll(/\s+/g, " ").trim();
   });
 
+async function fingersOn(page: Page) {
+  const client = await page.context().newCDPSession(page);
+  return (type: string, ...points: readonly (readonly [x: number, y: number])[]) =>
+    client.send("Input.dispatchTouchEvent", {
+      type: type as "touchStart",
+      touchPoints: points.map(([x, y], id) => ({ x, y, id })),
+    });
+}
+
 test.describe("Fingers", () => {
   test.use({ hasTouch: true, viewport: { width: 320, height: 480 } });
 
   test("scroll the page before they go in, then walk, look and come back", async ({ page }) => {
     const room = await openControls(page);
-    const client = await page.context().newCDPSession(page);
-    const fingers = (type: string, ...points: readonly (readonly [x: number, y: number])[]) =>
-      client.send("Input.dispatchTouchEvent", {
-        type: type as "touchStart",
-        touchPoints: points.map(([x, y], id) => ({ x, y, id })),
-      });
+    const fingers = await fingersOn(page);
     const touchAction = () =>
       room.evaluate((element) => {
         const canvas = element.shadowRoot?.querySelector("canvas");
@@ -98,6 +102,23 @@ test.describe("Fingers", () => {
     ]);
     expect(await hintOf(room)).toBe("");
     expect(room.complaints).toEqual([]);
+  });
+
+  test("scroll the page from a lone candle, which has no view to turn, all the time", async ({
+    page,
+  }) => {
+    const room = await new RoomDriver(page).open(
+      { scene: "candle", quality: "low", controls: "" },
+      { width: 160, height: 90, after: TALL },
+    );
+    await room.evaluate((element) => element.enter());
+    await expect.poll(() => room.isWalking()).toBe(true);
+    const fingers = await fingersOn(page);
+    await fingers("touchStart", [120, 85]);
+    for (const y of [60, 40, 20, 5]) await fingers("touchMove", [120, y]);
+    await fingers("touchEnd");
+    await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(0);
+    expect(await room.isWalking()).toBe(true);
   });
 });
 
