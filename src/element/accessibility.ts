@@ -46,6 +46,7 @@ export class Accessibility {
     this.#overlay.posterAlt = isImage ? alt : "";
     // An empty text is of an image without meaning.
     const isNamed = isImage && alt !== "";
+    this.#overlay.hint.element.hidden = isImage && !isNamed;
     canvas?.setAttribute("role", isNamed ? "img" : "presentation");
     if (isNamed) canvas?.setAttribute("aria-label", alt);
     else canvas?.removeAttribute("aria-label");

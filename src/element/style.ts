@@ -7,6 +7,8 @@
  *
  * What is before the content gives an intrinsic width.
  *
+ * Scaled to nothing, the hint is there for screen readers alone, and makes no page wider.
+ *
  * The hint's animation begins after a delay, which is no part of it: while one runs, software compositors draw the page
  * 60 times a second.
  */
@@ -76,6 +78,7 @@ slot[name="poster"][hidden] {
   transform-origin: left;
 }
 [part="hint"] {
+  display: grid;
   position: absolute;
   inset-inline: 1rem;
   inset-block-end: calc(1.5rem + env(safe-area-inset-bottom));
@@ -83,8 +86,9 @@ slot[name="poster"][hidden] {
   text-align: center;
   text-wrap: balance;
 }
+:host(:not([controls])) [part="hint"] { scale: 0; }
 [part="hint"] p {
-  display: inline-block;
+  justify-self: center;
   margin: 0;
   padding: 0.5rem 1rem;
   border-radius: 2px;
@@ -112,7 +116,10 @@ slot[name="poster"][hidden] {
   from { transform: scaleX(0.2); }
   to { transform: translateX(80%) scaleX(0.2); }
 }
-@keyframes hint { to { opacity: 0 } }
+@keyframes hint {
+  99% { scale: 1 }
+  to { opacity: 0; scale: 0 }
+}
 @media (prefers-contrast: more) {
   [part="hint"] p, [part="error"] p { background: #000; color: #fff; outline: 1px solid; }
   :host(:focus-visible) { outline-width: 4px; outline-color: #fff; }

@@ -15,11 +15,11 @@ function create(attributes: Map<string, string>, controls = true) {
     },
   };
   const internals = { role: null, ariaLabel: null, ariaDescription: null };
-  const overlay = { isFailing: false, posterAlt: "" };
+  const overlay = { isFailing: false, posterAlt: "", hint: { element: { hidden: false } } };
   const accessibility = new Accessibility(
     host as unknown as ReflectedAttributes,
     internals as unknown as ElementInternals,
-    overlay as Overlay,
+    overlay as unknown as Overlay,
   );
   accessibility.update(null);
   return { accessibility, host, internals, overlay };
@@ -41,6 +41,18 @@ test("an application has a name, even where the image would have none", () => {
   host.alt = "";
   accessibility.update(null);
   expect(internals.ariaLabel).toBe("A burning candle");
+});
+
+test("an image without meaning tells nothing", () => {
+  const { accessibility, host, overlay } = create(new Map(), false);
+  const { element } = overlay.hint;
+  expect(element.hidden).toBe(false);
+  host.alt = "";
+  accessibility.update(null);
+  expect(element.hidden).toBe(true);
+  host.controls = true;
+  accessibility.update(null);
+  expect(element.hidden).toBe(false);
 });
 
 test("without controls the focus goes, from a copy too, unless the page has its own tabindex", () => {

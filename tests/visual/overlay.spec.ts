@@ -1,0 +1,30 @@
+import { RoomDriver } from "../support/room-driver.ts";
+import { expect, test } from "../support/test.ts";
+
+const CANDLE = { scene: "candle", quality: "low" } as const;
+/** Narrower than a word. */
+const NARROW = { width: 24, height: 80 } as const;
+
+test("That a candle is out is shown with controls alone, and never leaves the page wider", async ({
+  page,
+}) => {
+  const room = await new RoomDriver(page).open({ ...CANDLE, unlit: "" }, NARROW);
+  const boxOfHint = () =>
+    room.evaluate((element) => {
+      element.style.marginInlineStart = "calc(100vw - 24px)";
+      const line = element.shadowRoot?.querySelector("[part=hint] p");
+      const { scrollWidth, clientWidth } = document.documentElement;
+      return {
+        width: line?.getBoundingClientRect().width,
+        isWider: scrollWidth > clientWidth,
+      };
+    });
+  expect(await boxOfHint()).toEqual({ width: 0, isWider: false });
+  await room.set({ controls: "" });
+  expect((await boxOfHint()).width).toBeGreaterThan(24);
+  await room.evaluate((element) => {
+    for (const animation of element.shadowRoot?.getAnimations() ?? []) animation.finish();
+  });
+  expect(await boxOfHint()).toEqual({ width: 0, isWider: false });
+  expect(room.complaints).toEqual([]);
+});
