@@ -7,6 +7,8 @@
  *
  * What is before the content gives an intrinsic width.
  *
+ * The ring of the focus lies on a dark one, which is seen on light pages.
+ *
  * Scaled to nothing, the hint is there for screen readers alone, and makes no page wider.
  *
  * The hint's animation begins after a delay, which is no part of it: while one runs, software compositors draw the page
@@ -42,7 +44,7 @@ const STYLE = `
 :host([hidden]) { display: none; }
 :host([popover]:not(:popover-open)) { display: none; }
 :host(:popover-open) { position: fixed; }
-:host(:focus-visible), [part="reload"]:focus-visible { outline: 2px solid #f3c98b; outline-offset: 2px; }
+:host(:focus-visible), [part="reload"]:focus-visible { outline: 2px solid #f3c98b; outline-offset: 2px; box-shadow: 0 0 0 8px #050302; }
 canvas, [part="poster"], ::slotted([slot="poster"]) {
   position: absolute;
   inset: 0;

@@ -1,3 +1,4 @@
+import sharp from "sharp";
 import { RoomDriver } from "../support/room-driver.ts";
 import { expect, test } from "../support/test.ts";
 
@@ -28,3 +29,28 @@ test("That a candle is out is shown with controls alone, and never leaves the pa
   expect(await boxOfHint()).toEqual({ width: 0, isWider: false });
   expect(room.complaints).toEqual([]);
 });
+
+for (const contrast of ["no-preference", "more"] as const) {
+  test(`The focus is seen on pages of any brightness, with contrast ${contrast}`, async ({
+    page,
+  }) => {
+    await page.emulateMedia({ contrast });
+    const room = await new RoomDriver(page).open({ ...CANDLE, controls: "" }, NARROW);
+    for (const ground of [0, 255]) {
+      await room.evaluate((element, ground) => {
+        document.body.style.background = `rgb(${ground} ${ground} ${ground})`;
+        element.style.margin = "20px";
+      }, ground);
+      const shot = async () => {
+        const clip = { x: 0, y: 0, width: 20, height: 120 };
+        const file = await page.screenshot({ clip });
+        return sharp(file).greyscale().raw().toBuffer();
+      };
+      const before = await shot();
+      await room.evaluate((element) => element.focus());
+      const changes = (await shot()).map((level, i) => Math.abs(level - (before[i] ?? 0)));
+      expect(Math.max(...changes)).toBeGreaterThan(150);
+      await room.evaluate((element) => element.blur());
+    }
+  });
+}
