@@ -27,7 +27,7 @@ const STYLE = `
   font: 1rem/1.5 system-ui, sans-serif;
 }
 :host::before { content: ""; display: grid; grid: auto / minmax(0, 300px); }
-:host(:is(:state(alone), [state-alone])) { overflow: visible; background: none; isolation: isolate; }
+:host(:is(:state(alone), [state-alone])) { overflow: visible; background: none; color: inherit; isolation: isolate; }
 [part="glow"] { display: none; }
 :host(:is(:state(alone), [state-alone])) [part="glow"] {
   display: block;
@@ -89,13 +89,15 @@ slot[name="poster"][hidden] {
   text-wrap: balance;
 }
 :host(:not([controls])) [part="hint"] { scale: 0; }
-[part="hint"] p {
-  justify-self: center;
+[part="hint"] p, [part="error"] p {
   margin: 0;
   padding: 0.5rem 1rem;
   border-radius: 2px;
   background: #0b0705cc;
-  color: #e4d5bd;
+  color: #f3e7d3;
+}
+[part="hint"] p {
+  justify-self: center;
   font-size: 0.9375rem;
   animation: hint 0.5s ease-in 4.5s forwards;
 }
@@ -141,7 +143,7 @@ slot[name="poster"][hidden] {
   text-align: center;
   text-wrap: balance;
 }
-[part="error"] p { margin: 0; max-inline-size: 40ch; padding: 0.75rem 1rem; background: #140d08d9; border-radius: 0.5rem; }
+[part="error"] p { max-inline-size: 40ch; }
 [part="reload"] {
   padding: 0.5rem 1.25rem;
   border: 1px solid #f3c98b;

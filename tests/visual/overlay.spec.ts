@@ -54,3 +54,25 @@ for (const contrast of ["no-preference", "more"] as const) {
     }
   });
 }
+
+test("Words in a lone candle's slots have the page's colour, and in a room's a light one", async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  const room = await new RoomDriver(page).load(CANDLE);
+  const colours = () =>
+    room.evaluate((element) => {
+      const own = element.shadowRoot?.querySelector("[part=error] p");
+      const colours = [own && getComputedStyle(own).color];
+      element.innerHTML = "<p slot=error>No candle.</p>";
+      colours.push(getComputedStyle(element.children[0] as Element).color);
+      element.replaceChildren();
+      return colours;
+    });
+  const light = "rgb(243, 231, 211)";
+  expect(await colours()).toEqual([light, "rgb(0, 0, 0)"]);
+  await room.set({ scene: "room" });
+  expect(await colours()).toEqual([light, light]);
+});
