@@ -65,7 +65,7 @@ const NO_CANDLES: readonly Candle[] = Object.freeze([]);
  * @csspart progress - The bar that shows how far loading is.
  * @csspart hint - A line for the visitor, shown for a moment.
  * @csspart error - The sentence in the canvas's place where there are no frames.
- * @csspart reload - The button that starts again after a context that was lost and does not come back.
+ * @csspart reload - The button that starts again after a file that did not come, or a context that does not come back.
  * @csspart glow - The light that falls on the page, with `scene="candle"`.
  * @cssState loading - There is no frame yet.
  * @cssState lit - The candle burns.

@@ -275,7 +275,7 @@ export class Lifecycle {
 
   onContextGivenUp(): void {
     this.#session?.candle?.input?.leave();
-    this.#offerReload();
+    this.#overlay.fail(LOST, "alert", this.#reload);
     this.#report(new ContextLostError(LOST));
   }
 
@@ -310,11 +310,13 @@ export class Lifecycle {
     if (!this.#machine.send("fail")) return;
     this.#release();
     this.#states.toggle("alone", this.#element.scene === "candle"); // nothing lies behind it
-    if (typeOf(error) === "context-lost") this.#offerReload();
-    else this.#overlay.fail(error.message, "alert");
+    const type = typeOf(error);
+    const isLost = type === "context-lost";
+    const reload = isLost || type === "asset" ? this.#reload : null;
+    this.#overlay.fail(isLost ? LOST : error.message, "alert", reload);
     this.#overlay.showPoster(this.#element);
     this.#report(error);
-    if (typeOf(error) === "graphics") console.error(error); // the driver's own words are in its cause
+    if (type === "graphics") console.error(error); // the driver's own words are in its cause
   }
 
   /** `ready` rejects with it, if it is pending. */
@@ -327,13 +329,11 @@ export class Lifecycle {
     emit(this.#element, "error", { type: typeOf(error), message: error.message, cause: error });
   }
 
-  #offerReload(): void {
-    this.#overlay.fail(LOST, "alert", () => {
-      this.restart();
-      // The focus would go with the button.
-      if (this.#element.controls) this.#element.focus({ preventScroll: true });
-    });
-  }
+  readonly #reload = (): void => {
+    this.restart();
+    // The focus would go with the button.
+    if (this.#element.controls) this.#element.focus({ preventScroll: true });
+  };
 
   #release(): void {
     this.#abort.abort();

@@ -22,6 +22,7 @@ interface Failure {
   /** Whether `ready` was rejected with the very cause. */
   readonly isReadyRejectedWithIt: boolean;
   readonly shown: string;
+  readonly isReloadOffered: boolean;
   readonly isPosterShown: boolean;
   readonly isLoading: boolean;
 }
@@ -41,7 +42,7 @@ async function failureOf(room: RoomDriver): Promise<Failure> {
     await new Promise((resolve) => setTimeout(resolve));
     const part = (name: string) => element.shadowRoot?.querySelector(`[part~=${name}]`);
     const [first] = errors;
-    const sentence = part("error");
+    const sentence = part("error")?.querySelector("p");
     return {
       type: first?.type ?? "none",
       message: first?.message ?? String(reason),
@@ -49,6 +50,7 @@ async function failureOf(room: RoomDriver): Promise<Failure> {
       isCauseAnError: first?.cause instanceof Error,
       isReadyRejectedWithIt: reason === first?.cause,
       shown: sentence?.checkVisibility() ? (sentence.textContent ?? "") : "",
+      isReloadOffered: part("reload") !== null,
       isPosterShown: part("poster")?.checkVisibility() ?? false,
       isLoading: element.matches(":state(loading)"),
     };
@@ -65,6 +67,7 @@ function expectFailure(failure: Failure, type: string, sentence: RegExp): void {
     isCauseAnError: true,
     isReadyRejectedWithIt: true,
     shown: failure.message,
+    isReloadOffered: type === "asset",
     isPosterShown: true,
     isLoading: false,
   });

@@ -76,3 +76,15 @@ test("Words in a lone candle's slots have the page's colour, and in a room's a l
   await room.set({ scene: "room" });
   expect(await colours()).toEqual([light, light]);
 });
+
+test("After a file that could not be fetched a button fetches it again", async ({ page }) => {
+  const models = "**/*.glb";
+  await page.route(models, (route) => route.abort());
+  const room = await new RoomDriver(page).load(CANDLE);
+  const reload = page.locator("candle-flame").locator("[part~=reload]");
+  await expect(reload).toBeVisible();
+  await page.unroute(models);
+  await reload.click();
+  await room.evaluate((element) => element.ready);
+  await expect(reload).toBeHidden();
+});
