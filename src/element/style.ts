@@ -137,9 +137,11 @@ slot[name="poster"][hidden] {
   inset: 0;
   display: grid;
   place-content: center;
+  place-content: safe center;
   justify-items: center;
-  gap: 1rem;
-  padding: 1.5rem;
+  gap: 0.5rem;
+  padding: 0.5rem;
+  overflow: auto;
   text-align: center;
   text-wrap: balance;
 }

@@ -88,3 +88,21 @@ test("After a file that could not be fetched a button fetches it again", async (
   await room.evaluate((element) => element.ready);
   await expect(reload).toBeHidden();
 });
+
+test("In a small box with large type a failure's sentence and button can be scrolled to", async ({
+  page,
+}) => {
+  await page.route("**/*.glb", (route) => route.abort());
+  await new RoomDriver(page).load(CANDLE, { width: 160, height: 90 });
+  await page.addStyleTag({ content: "html { font-size: 200% } candle-flame { margin: 200px }" });
+  const failure = page.locator("candle-flame").locator("[part~=error]");
+  await expect(failure).toBeVisible();
+  const top = () =>
+    failure.evaluate((element) => {
+      element.scrollTo(0, 0);
+      const sentence = element.querySelector("p");
+      return (sentence?.getBoundingClientRect().top ?? 0) - element.getBoundingClientRect().top;
+    });
+  expect(await top()).toBeGreaterThanOrEqual(0);
+  await page.locator("candle-flame").locator("[part~=reload]").click({ timeout: 5000 });
+});
