@@ -103,7 +103,7 @@ export class CandleFlameElement extends ReflectedAttributes {
     // A move within the page disconnects and connects in one task: nothing should restart then.
     queueMicrotask(() => {
       if (this.isConnected) return;
-      this.#pending.forgetTime();
+      this.#pending.leave();
       this.#lifecycle.disconnect();
     });
   }
@@ -271,7 +271,7 @@ export class CandleFlameElement extends ReflectedAttributes {
 
   #setLit(isLit: boolean): void {
     const isReplaced = this.#isPending && this.scene === "candle";
-    if (!this.#candle || isReplaced) this.#pending.setLit(isLit);
+    this.#pending.setLit(isLit, !this.#candle || isReplaced);
     this.#candle?.setLit(isLit);
     this.#requestDraw();
   }

@@ -20,6 +20,8 @@ export class PendingWorld {
   #placing: Partial<Camera> | null = null;
   /** Whether the page wants the first candle lit; null where attributes decide. */
   #isLit: boolean | null = null;
+  /** The same, of the worlds after a removal. */
+  #wasSetLit: boolean | null = null;
   /** A world that is gone, and the request of its scene. */
   #saved: { readonly world: World; readonly request: SceneRequest } | null = null;
 
@@ -49,9 +51,14 @@ export class PendingWorld {
     return this.#isLit ?? this.#saved?.world.flame.isLit ?? null;
   }
 
-  /** Lights the first candle or puts it out, whatever the attributes say. */
-  setLit(isLit: boolean): void {
-    this.#isLit = isLit;
+  /**
+   * Lights the first candle or puts it out, whatever the attributes say.
+   *
+   * @param isNow whether the world has none yet; else only after a removal
+   */
+  setLit(isLit: boolean, isNow: boolean): void {
+    this.#wasSetLit = isLit;
+    if (isNow) this.#isLit = isLit;
   }
 
   /**
@@ -61,6 +68,7 @@ export class PendingWorld {
    */
   forgetFlames(isLit: boolean): void {
     const saved = this.#saved;
+    this.#wasSetLit = null;
     this.#isLit = saved && isLit;
     this.#saved = saved && { ...saved, world: { ...saved.world, standing: [], formerLit: [] } };
   }
@@ -81,7 +89,13 @@ export class PendingWorld {
   forget(): void {
     this.forgetTime();
     this.forgetPlaces();
-    this.#isLit = null;
+    this.#wasSetLit = null;
+  }
+
+  /** The element was removed: only what the page has set is left of its worlds. */
+  leave(): void {
+    this.forgetTime();
+    this.#isLit = this.#wasSetLit;
   }
 
   moveCamera(camera: Partial<Camera>): void {

@@ -60,13 +60,31 @@ test("a new world that is as the page asks is kept", () => {
     pending.applyTo(candle as unknown as CandleFlame, REQUEST, false);
   const pending = new PendingWorld();
   expect(apply(pending)).toBe(false);
-  pending.setLit(true);
+  pending.setLit(true, true);
   expect(apply(pending)).toBe(false);
   expect(resume).not.toHaveBeenCalled();
-  pending.setLit(false);
+  pending.setLit(false, true);
   expect(apply(pending)).toBe(true);
   expect(resume).toHaveBeenCalledOnce();
-  pending.setLit(true);
+  pending.setLit(true, true);
   pending.moveCamera({ yaw: 1 });
   expect(apply(pending)).toBe(true);
+});
+
+test("what the page has set outlasts removals, until attributes or a reset decide", () => {
+  const pending = new PendingWorld();
+  pending.setLit(false, false);
+  expect(pending.isLit).toBe(null);
+  for (let removals = 0; removals < 2; removals++) {
+    pending.leave();
+    expect(pending.isLit).toBe(false);
+    pending.forgetPlaces();
+  }
+  pending.forgetFlames(true);
+  pending.leave();
+  expect(pending.isLit).toBe(null);
+  pending.setLit(false, false);
+  pending.forget();
+  pending.leave();
+  expect(pending.isLit).toBe(null);
 });
