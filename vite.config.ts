@@ -73,7 +73,10 @@ const minifiedStyle: Plugin = {
       code: code.replace(/`[^`]+`/, (css) =>
         css
           .replaceAll(/\s*\n\s*/g, "")
-          .replaceAll(/;?\s*([{};])\s*|([:,]) | (\/) |"(\w+)"(?=])|\b0(?=\.)/g, "$1$2$3$4"),
+          .replaceAll(
+            /;?\s*([{};])\s*|([:,]) | ([*/]) | (?=!)|"(\w+)"(?=])|\b0(?=\.)/g,
+            "$1$2$3$4",
+          ),
       ),
       map: null,
     }),

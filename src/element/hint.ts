@@ -32,14 +32,14 @@ export class Hint {
   /** Tells news, if there are any, and that the carried candle is out, if it is, and how to light it. */
   tellFlame(isLit: boolean, canLight: boolean, news: string | null = null): void {
     const out = outSentence(canLight ? this.lighting : null);
-    const sentences = [news, isLit ? null : out].filter(Boolean);
-    this.tell(sentences.join(" ") || null, canLight && !isLit);
+    const sentences = [news, !isLit && out].filter(Boolean);
+    this.tell(sentences.join(" "), canLight && !isLit);
   }
 
-  /** Shows a sentence, or none. One that lasts goes later. */
-  tell(sentence: string | null, lasts = false): void {
+  /** Shows a sentence, or with an empty one none. One that lasts goes later. */
+  tell(sentence: string, lasts = false): void {
     this.#clear();
-    if (sentence === null) return;
+    if (!sentence) return;
     this.#sentence.textContent = sentence;
     this.#sentence.className = lasts ? "lasting" : "";
     this.element.append(this.#sentence);

@@ -83,7 +83,7 @@ export class Overlay {
   clear(): void {
     this.glow(0);
     this.hideProgress();
-    this.hint.tell(null);
+    this.hint.tell("");
   }
 
   /** Shows an error message in place of frames, with a reload button where that may help. */

@@ -39,7 +39,7 @@ const STYLE = `
   border-radius: 50%;
   pointer-events: none;
   opacity: calc(clamp(0, var(--candle-flame-glow, 0), 1) * var(--intensity, 0));
-  box-shadow: 0 0 120px 60px rgb(255 176 84 / 0.5), 0 0 320px 160px rgb(255 150 60 / 0.35);
+  box-shadow: 0 0 120px 60px #ffb05480, 0 0 320px 160px #ff963c59;
 }
 :host([hidden]) { display: none; }
 :host([popover]:not(:popover-open)) { display: none; }
@@ -89,7 +89,7 @@ slot[name="poster"][hidden] {
   text-wrap: balance;
 }
 :host(:not([controls])) [part="hint"] { scale: 0; }
-[part="hint"] p, [part="error"] p {
+p, [part="reload"] {
   margin: 0;
   padding: 0.5rem 1rem;
   border-radius: 2px;
@@ -103,7 +103,7 @@ slot[name="poster"][hidden] {
 }
 [part="hint"] .controls, ::slotted([slot="hint"]) { animation: hint 0.5s ease-in 7.5s forwards; }
 [part="hint"] .lasting { animation-delay: 19.5s; }
-[part="hint"] kbd {
+kbd {
   display: inline-block;
   min-inline-size: 1.7em;
   margin-inline: 0.1em;
@@ -125,11 +125,11 @@ slot[name="poster"][hidden] {
   to { opacity: 0; scale: 0 }
 }
 @media (prefers-contrast: more) {
-  [part="hint"] p, [part="error"] p { background: #000; color: #fff; outline: 1px solid; }
+  p { background: #000; color: #fff; outline: 1px solid; }
   :host(:focus-visible) { outline-width: 4px; outline-color: #fff; }
 }
 @media (forced-colors: active) {
-  [part="hint"] p, [part="error"] p { background: Canvas; outline: 1px solid; }
+  p { background: Canvas; outline: 1px solid; }
   [part="progress"] { background: Highlight; }
 }
 [part="error"] {
@@ -147,11 +147,7 @@ slot[name="poster"][hidden] {
 }
 [part="error"] p { max-inline-size: 40ch; }
 [part="reload"] {
-  padding: 0.5rem 1.25rem;
   border: 1px solid #f3c98b;
-  border-radius: 2px;
-  background: #140d08;
-  color: #f3e7d3;
   font: inherit;
   cursor: pointer;
 }
