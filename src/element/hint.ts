@@ -11,7 +11,7 @@ import { outSentence } from "./messages.js";
 export class Hint {
   readonly element = document.createElement("div");
   readonly #controls = document.createElement("slot");
-  readonly #sentence = document.createElement("p");
+  readonly #sentence = createEnglish("p");
   #device: Device = "keyboard";
   #nameOf: KeyName = (key) => key;
 
@@ -49,7 +49,7 @@ export class Hint {
   tellControls(device: Device, controls: string): void {
     this.#clear();
     this.#device = device;
-    const line = document.createElement("p");
+    const line = createEnglish("p");
     line.className = "controls";
     for (const [, key, words] of controls.matchAll(/\[(\w+)\]|([^[]+)/g)) {
       line.append(key === undefined ? ` ${words?.trim()} ` : keyCap(key));
@@ -68,6 +68,11 @@ export class Hint {
     this.#controls.replaceChildren();
     this.#controls.hidden = true;
   }
+}
+
+/** An element for words of our own, on pages of any language and direction. */
+export function createEnglish<Tag extends "p" | "button">(tag: Tag): HTMLElementTagNameMap[Tag] {
+  return Object.assign(document.createElement(tag), { lang: "en", dir: "ltr" });
 }
 
 function keyCap(name: string): HTMLElement {

@@ -1,4 +1,4 @@
-import { Hint } from "./hint.js";
+import { createEnglish, Hint } from "./hint.js";
 import type { ReflectedAttributes } from "./reflected-attributes.js";
 
 /**
@@ -15,8 +15,8 @@ export class Overlay {
   readonly #progressSlot = slot("progress");
   readonly #progress = part("progress");
   readonly #failure = part("error");
-  readonly #sentence = document.createElement("p");
-  readonly #reload = document.createElement("button");
+  readonly #sentence = createEnglish("p");
+  readonly #reload = createEnglish("button");
 
   constructor(root: ShadowRoot) {
     this.#poster.part.add("poster");

@@ -106,3 +106,39 @@ test("In a small box with large type a failure's sentence and button can be scro
   expect(await top()).toBeGreaterThanOrEqual(0);
   await page.locator("candle-flame").locator("[part~=reload]").click({ timeout: 5000 });
 });
+
+test("The element's own words are English and run to the right on any page, the page's as there", async ({
+  page,
+}) => {
+  await page.route("**/*.glb", (route) => route.abort());
+  const room = await new RoomDriver(page).load({ ...CANDLE, controls: "", unlit: "" });
+  await page.evaluate(() => Object.assign(document.documentElement, { lang: "ar", dir: "rtl" }));
+  const own = "[part=hint] p, [part=hint] kbd, [part=error] p, [part=reload]";
+  const spoken = (selector: string) =>
+    room.evaluate((element, selector) => {
+      const all = [...element.children, ...(element.shadowRoot?.querySelectorAll(selector) ?? [])];
+      return all.map((one) => [
+        one.closest("[lang]")?.getAttribute("lang"),
+        getComputedStyle(one).direction,
+      ]);
+    }, selector);
+  const english = ["en", "ltr"];
+  const reload = page.locator("candle-flame").locator("[part~=reload]");
+  await expect(reload).toBeVisible();
+  expect(await spoken(own)).toEqual([english, english]);
+  await page.unroute("**/*.glb");
+  await reload.click();
+  await room.evaluate((element) => element.ready);
+  expect(await spoken("[part=hint] p")).toEqual([english]);
+  await room.evaluate((element) => {
+    element.enter();
+    element.step(0);
+  });
+  const controls = await spoken("[part=hint] p, [part=hint] kbd");
+  expect(controls.length).toBeGreaterThan(2);
+  expect(controls).toEqual(controls.map(() => english));
+  await room.evaluate((element) => {
+    element.innerHTML = "<b slot=hint>page</b>";
+  });
+  expect((await spoken("[part=hint]"))[0]).toEqual(["ar", "rtl"]);
+});
