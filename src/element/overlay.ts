@@ -20,6 +20,9 @@ export class Overlay {
 
   constructor(root: ShadowRoot) {
     this.#poster.part.add("poster");
+    this.#poster.onerror = () => {
+      this.#poster.hidden = true; // no icon of a broken image
+    };
     this.#posterSlot.append(this.#poster);
     this.#progressSlot.append(this.#progress);
     const errorSlot = slot("error", true);

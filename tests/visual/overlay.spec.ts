@@ -142,3 +142,18 @@ test("The element's own words are English and run to the right on any page, the 
   });
   expect((await spoken("[part=hint]"))[0]).toEqual(["ar", "rtl"]);
 });
+
+test("A poster that cannot be fetched leaves no icon of a broken image", async ({ page }) => {
+  await page.route("**/*.glb", () => {}); // loads for ever
+  const room = await new RoomDriver(page).load({ ...CANDLE, poster: "none.png" });
+  const poster = page.locator("candle-flame").locator("[part~=poster]");
+  await expect(poster).toBeHidden();
+  await page.route("**/late.svg", (route) =>
+    route.fulfill({
+      contentType: "image/svg+xml",
+      body: '<svg xmlns="http://www.w3.org/2000/svg" width="1" height="1"/>',
+    }),
+  );
+  await room.set({ poster: "late.svg" });
+  await expect(poster).toBeVisible();
+});
