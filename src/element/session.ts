@@ -66,6 +66,7 @@ export class Session {
     this.#target = createCanvasTarget(scene, canvas);
     if (quality === "auto") void measureTarget(this.#target); // while the files are on their way
     watchContext(this.#target.source, signal, {
+      isVisible: () => owner.isVisible,
       onLost: () => owner.onContextLost(),
       onRestored: () => void this.#restore(),
       onGivenUp: () => owner.onContextGivenUp(),
