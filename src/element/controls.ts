@@ -16,7 +16,7 @@ export class Controls {
   #fetching: Promise<void> | null = null;
   /** So many times. */
   #fetches = 0;
-  /** Whether the page enters once it is there. */
+  /** Whether the page enters once code and candle are there. */
   #entersSoon = false;
 
   /** @param onMissing called when their code could not be fetched, until the signal aborts */
@@ -50,6 +50,7 @@ export class Controls {
     } else if (Input) {
       candle.input ??= new Input(this.#attributes, this.#canvas, onEntered);
       candle.input.sensitivity = sensitivity;
+      if (this.#entersSoon) this.enter();
     } else {
       this.#fetching ??= this.#fetch(candle, onEntered);
     }
@@ -63,15 +64,15 @@ export class Controls {
       await fetchInput();
       if (!isWanted()) return;
       this.apply(candle, onEntered);
-      if (this.#entersSoon) candle.input?.enter();
     } catch (error) {
       if (isWanted()) this.#onMissing(error as Error);
     }
   }
 
-  /** Enters the room of a candle, at once or when the code is there. */
+  /** Enters the room of a candle, at once or when it can be. */
   enter(): void {
-    this.#entersSoon = this.#fetching !== null && !fetchedInput();
-    this.#candle?.input?.enter();
+    const input = this.#candle?.input;
+    this.#entersSoon = !input && this.#attributes.controls;
+    input?.enter();
   }
 }

@@ -157,3 +157,15 @@ test("A poster that cannot be fetched leaves no icon of a broken image", async (
   await room.set({ poster: "late.svg" });
   await expect(poster).toBeVisible();
 });
+
+test("Who has asked to enter before the first frame enters with it", async ({ page }) => {
+  const room = await new RoomDriver(page).load({ ...CANDLE, controls: "" });
+  const isEarly = await room.evaluate(async (element) => {
+    const isEarly = element.stats.drawCalls === 0;
+    element.enter();
+    await element.ready;
+    return isEarly;
+  });
+  expect(isEarly).toBe(true);
+  await expect.poll(() => room.isWalking()).toBe(true);
+});
