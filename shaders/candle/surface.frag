@@ -24,17 +24,16 @@ void main() {
   float occlusion = mix(1.0, packed.r, uOcclusionStrength) * vColor.r;
   float roughness = clamp(packed.g * uSurface.x, 0.03, 1.0);
   float metallic = packed.b * uSurface.y;
-  vec3 surface = directionOf(vNormalWorld);
-  vec3 normal = surface;
+  vec3 normal = directionOf(vNormalWorld);
   if (frame.normalMaps > 0.5) {
-    normal = perturbedNormal(texture(uNormal, vUv).xy, surface, vTangentWorld, uSurface.z);
+    normal = perturbedNormal(texture(uNormal, vUv).xy, normal, vTangentWorld, uSurface.z);
   }
   vec3 view = normalize(frame.eyePosition - vPositionWorld);
   float NoV = max(abs(dot(normal, view)), 1e-3);
   vec3 toLight = light.position - vPositionWorld;
   float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
-  vec3 L = toLight * inversesqrt(distanceSquared);
-  float NoL = uWax > 0.5 ? waxCosine(surface, vPositionWorld, toLight) : max(dot(normal, L), 0.0);
+  float NoL = max(dot(normal, toLight) * inversesqrt(distanceSquared), 0.0);
+  if (uWax > 0.5) NoL = waxCosine(directionOf(vNormalWorld), vPositionWorld, toLight);
   vec3 perArea = light.intensity * (candleVisibility(vPositionWorld) / distanceSquared);
   vec3 halfAxis = light.along * light.halfHeight;
   FlameSpecular flame = flameSpecular(toLight, halfAxis, light.radius, normal, view, NoV, roughness * roughness);

@@ -23,7 +23,7 @@ bool isOwnWax(vec3 position) {
 float waxCosine(vec3 surface, vec3 position, vec3 toLight) {
   if (isOwnWax(position)) {
     vec2 outward = normalize(position.xz - light.axis + 1e-6) * length(surface.xz);
-    surface = normalize(vec3(outward, 0.0) + SLOPE_LEFT * (surface.xzy - vec3(outward, 0.0))).xzy;
+    surface = normalize(mix(vec3(outward.x, 0.0, outward.y), surface, SLOPE_LEFT));
   }
   float extent = light.radius + light.halfHeight * abs(dot(light.along, surface)) + SCATTERED;
   float height = dot(surface, toLight);
