@@ -3,7 +3,8 @@ import { type KeyName, nameKeys } from "../key-names.js";
 import { outSentence } from "./messages.js";
 
 /**
- * Line of text over the canvas that is shown for a moment, then fades; without `controls` it is only for screen readers.
+ * Line of text over the canvas that is shown for a moment, then fades; without `controls` only what lasts is, and the rest for
+ * screen readers alone.
  *
  * Screen readers announce it politely when it changes; to them it stays. The page may have words of its own for the
  * controls, in the slot `hint`.

@@ -242,7 +242,7 @@ export class Lifecycle {
     lessMotion(this.#element).addEventListener("change", () => this.apply(), { signal });
     this.#applyMotion();
     if (this.#session !== session) return; // a listener asked for another scene
-    if (session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK);
+    if (session.look !== this.#element.look) this.#overlay.hint.tell(NO_PHYSICAL_LOOK, true);
     void this.#settle();
     emit(this.#element, "load", null);
   }

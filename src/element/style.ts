@@ -9,7 +9,7 @@
  *
  * The ring of the focus lies on a dark one, which is seen on light pages.
  *
- * Scaled to nothing, the hint is there for screen readers alone, and makes no page wider.
+ * Scaled to nothing, the hint is there for screen readers alone, and makes no page wider; what lasts is shown.
  *
  * The hint's animation begins after a delay, which is no part of it: while one runs, software compositors draw the page
  * 60 times a second.
@@ -88,7 +88,7 @@ slot[name="poster"][hidden] {
   text-align: center;
   text-wrap: balance;
 }
-:host(:not([controls])) [part="hint"] { scale: 0; }
+:host(:not([controls])) [part="hint"]:not(:has(.lasting)) { scale: 0; }
 p, [part="reload"] {
   margin: 0;
   padding: 0.5rem 1rem;

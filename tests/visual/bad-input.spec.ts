@@ -368,7 +368,9 @@ test.describe("Where floats are not to be had", () => {
     await serveSmallTextures(page);
     const room = await new RoomDriver(page).open({ look: "physical" }, TINY);
     const hint = page.locator("candle-flame").locator("[part~=hint]");
-    await expect(hint).toHaveText(/^\s*This graphics driver .* paper's look\.\s*$/);
+    await expect(hint).toHaveText(/^\s*This driver .* paper's look\.\s*$/);
+    const scale = await hint.evaluate((element) => getComputedStyle(element).scale);
+    expect(scale, "without `controls`, too").toBe("none");
     expect(models.sort()).toEqual(["/models/paper-candle.glb", "/models/paper-room.glb"]);
     const picture = await room.pixels();
     await room.set({ look: "paper" });
