@@ -88,7 +88,6 @@ slot[name="poster"][hidden] {
   text-align: center;
   text-wrap: balance;
 }
-:host(:not([controls])) [part="hint"]:not(:has(.lasting)) { scale: 0; }
 p, [part="reload"] {
   margin: 0;
   padding: 0.5rem 1rem;
@@ -103,6 +102,7 @@ p, [part="reload"] {
 }
 [part="hint"] .controls, ::slotted([slot="hint"]) { animation: hint 0.5s ease-in 7.5s forwards; }
 [part="hint"] .lasting { animation-delay: 19.5s; }
+:host(:not([controls])) [part="hint"] p:not(.lasting) { scale: 0; animation: none; }
 kbd {
   display: inline-block;
   min-inline-size: 1.7em;

@@ -369,7 +369,7 @@ test.describe("Where floats are not to be had", () => {
     const room = await new RoomDriver(page).open({ look: "physical" }, TINY);
     const hint = page.locator("candle-flame").locator("[part~=hint]");
     await expect(hint).toHaveText(/^\s*This driver .* paper's look\.\s*$/);
-    const scale = await hint.evaluate((element) => getComputedStyle(element).scale);
+    const scale = await hint.locator("p").evaluate((element) => getComputedStyle(element).scale);
     expect(scale, "without `controls`, too").toBe("none");
     expect(models.sort()).toEqual(["/models/paper-candle.glb", "/models/paper-room.glb"]);
     const picture = await room.pixels();

@@ -135,7 +135,9 @@ async function outcomeOf(page: Page, given: Case): Promise<Outcome> {
         () => "rejected" as const,
       );
       const part = (name: string) => element.shadowRoot?.querySelector(`[part~=${name}]`);
-      const shown = part("error")?.checkVisibility() ? part("error")?.textContent : "";
+      const failure = part("error");
+      // Beside it there may be a button.
+      const shown = failure?.checkVisibility() ? failure.querySelector("p")?.textContent : "";
       const outcome = {
         type,
         isSentence: shown === message && message.length > 10,
