@@ -22,7 +22,8 @@ bool isOwnWax(vec3 position) {
 // Cosine to the flame on wax: gradually 0 where the flame sinks below the horizon. `surface`: normal of the mesh.
 float waxCosine(vec3 surface, vec3 position, vec3 toLight) {
   if (isOwnWax(position)) {
-    vec2 outward = normalize(position.xz - light.axis + 1e-6) * length(surface.xz);
+    vec2 outward = position.xz - light.axis;
+    outward *= max(dot(outward, surface.xz), 0.0) / (dot(outward, outward) + 1e-9);
     surface = normalize(mix(vec3(outward.x, 0.0, outward.y), surface, SLOPE_LEFT));
   }
   float extent = light.radius + light.halfHeight * abs(dot(light.along, surface)) + SCATTERED;
@@ -40,6 +41,5 @@ vec3 waxTransmission(vec3 position) {
 
 // Radiance for an albedo of 1, cd/m².
 vec3 waxGlow(vec3 position) {
-  if (!isOwnWax(position)) return vec3(0.0);
-  return light.intensity / PI * waxTransmission(position);
+  return isOwnWax(position) ? light.intensity / PI * waxTransmission(position) : vec3(0.0);
 }

@@ -2,7 +2,7 @@ import type { Refusal } from "../world/room/placement.js";
 import type { CandleDetail } from "./events.js";
 
 export const NO_PHYSICAL_LOOK =
-  "This driver has no floating-point render targets: the room is drawn in the paper's look.";
+  "This driver cannot render to floats: the room has the paper's look.";
 
 export const LOST = "The graphics driver was lost, and the browser has not restored it.";
 
