@@ -10,13 +10,26 @@ interface Resolved {
   files: string[];
 }
 
+/** Without functions and constants that a shader names nowhere else. Its lines keep their numbers. */
+function withoutUnused(source: string): string {
+  const used = source.replace(
+    /^\w+(?: \w+)? (\w+)(?:\([^)]*\) \{\n[\s\S]*?^\}|(?:\[\w*\])? = [^;]*;)$/gm,
+    (definition, name) =>
+      name === "main" || source.split(new RegExp(`\\b${name}\\b`)).length > 2
+        ? definition
+        : definition.replace(/^#line.*\n|[^\n]/gm, ""),
+  );
+  return used === source ? source : withoutUnused(used);
+}
+
 // Comments and blanks go, line breaks stay: an error of a released build still names the right line. Directives stay as
 // they are, and so do blanks between two signs, which may be another operator. Beside `#line`, which says where the next
 // line is, empty lines go too.
 function minified(source: string): string {
-  return source
+  const code = source
     .replace(/\/\*[\s\S]*?\*\//g, (comment) => comment.replace(/[^\n]/g, ""))
-    .replace(/[ \t]*\/\/.*$/gm, "")
+    .replace(/[ \t]*\/\/.*$/gm, "");
+  return withoutUnused(code)
     .replace(/^[ \t]+/gm, "")
     .replace(/^[^#\n].*$/gm, (line) =>
       line

@@ -136,6 +136,9 @@ describe("importing a shader", () => {
         if (original.includes("*")) continue; // a product, or a comment of many lines
         const own = code(original);
         const text = lines.get(place) ?? "";
+        const [, removed] = (text === "" && /^(?:const )?\w+ (\w+)(?:\(| = )/.exec(own)) || [];
+        if (removed) expect(released.source).not.toMatch(new RegExp(`\\b${removed}\\b`));
+        if (text === "" && !own.startsWith("#")) continue; // of what nothing names
         expect(tokens(text), place).toBe(tokens(own));
         if (own.startsWith("#")) expect(text).toBe(own);
         else expect(text).not.toMatch(/ [=({]|[;,] /);
@@ -152,6 +155,16 @@ describe("importing a shader", () => {
   test("keeps blanks that part two operators", () => {
     const { source } = imported(MAIN, true);
     expect(source).toContain("r - -branch(");
+  });
+
+  test("without functions and constants that only they name themselves, and all else in its place", () => {
+    const { source } = imported(resolve(FOLDER, "unused.frag"), true);
+    expect(source).not.toMatch(/unused|UNUSED/);
+    expect(source.match(/used|USED/g)).toHaveLength(4);
+    const [last] = positions({ source, files: ["unused.frag"] })
+      .filter(({ text }) => /used\(/.test(text))
+      .slice(-1);
+    expect(last?.line).toBe(28);
   });
 
   test("without comments still begins with its version", () => {
