@@ -4,12 +4,17 @@
 // In:  base colour (sRGB), normal, occlusion/roughness/metallic maps.   Out: radiance, cd/m², premultiplied.
 #include "lib/precision.glsl"
 #include "lib/frame.glsl"
+#include "lib/photometry.glsl"
 #include "lib/flame-brdf.glsl"
 #include "lib/normal-map.glsl"
 #include "lib/studio.glsl"
 #include "lib/ember.glsl"
 #include "lib/candle-flames.glsl"
+#define FLAMES
+#include "lib/flame-light.glsl"
+#include "lib/wax.glsl"
 #ifdef SHADOW_TAPS
+#define SHADOW_NEAR 0.004
 #include "lib/flame-shadows.glsl"
 #endif
 #include "lib/mesh-fragment.glsl"
@@ -24,12 +29,11 @@ out vec4 oRadiance;
 
 // Diffusion length of thick white paraffin, m, its reflectance, and the share of the light on its top that leaves through
 // the side.
-const vec3 DIFFUSION_LENGTH = vec3(0.014, 0.0105, 0.007);
+const vec3 PILLAR_DIFFUSION_LENGTH = vec3(0.014, 0.0105, 0.007);
 const vec3 WHITE_WAX = vec3(0.84, 0.78, 0.66);
-const float WAX_TRANSMITTANCE = 0.2;
-// Wax begins so far below the root of the flame; a flame's middle is never less above it. Metres.
+const float PILLAR_TRANSMITTANCE = 0.2;
+// Wax begins so far below the root of the flame, m.
 const float RIM = 0.003;
-const float LEAST_HEIGHT = 0.01;
 // Share by which coloured glass absorbs the complement of its colour.
 const float TINT = 0.6;
 
@@ -37,18 +41,18 @@ const float TINT = 0.6;
 // reflectance. Kubelka and Munk 1931, "Ein Beitrag zur Optik der Farbanstriche".
 vec3 diffusionLength(vec3 reflectance) {
   vec3 absorption = (1.0 - reflectance) * inversesqrt(max(reflectance, 1e-3));
-  return DIFFUSION_LENGTH * min((1.0 - WHITE_WAX) * inversesqrt(WHITE_WAX) / max(absorption, 1e-3), 1.0);
+  return PILLAR_DIFFUSION_LENGTH * min((1.0 - WHITE_WAX) * inversesqrt(WHITE_WAX) / max(absorption, 1e-3), 1.0);
 }
 
-// Light of a flame that has entered the wax around its wick, as it leaves: radiance for an albedo of 1, cd/m².
-vec3 waxGlow(int i, vec3 position, vec3 diffusionLength) {
+FlameLight flameLight(int i) {
   vec3 root = flames.roots[i].xyz;
-  vec2 aside = position.xz - root.xz;
-  float rim = root.y - RIM;
-  float height = max(flames.centres[i].y - rim, LEAST_HEIGHT);
-  float squared = dot(aside, aside) + height * height;
-  vec3 onTop = flames.intensities[i].rgb * (height / (squared * sqrt(squared)));
-  return onTop * exp(-max(rim - position.y, 0.0) / diffusionLength) * (WAX_TRANSMITTANCE / PI);
+  vec3 captureOrigin = root + vec3(0.0, flames.roots[i].w, 0.0);
+  vec4 centre = flames.centres[i];
+  vec4 along = flames.alongs[i];
+  vec4 intensity = flames.intensities[i];
+  return FlameLight(
+    centre.xyz, centre.w, intensity.rgb, along.w, root.xz, root.y - RIM, 0.0, 0.0, 0.0, captureOrigin, intensity.w, along.xyz
+  );
 }
 
 vec3 emberGlow(int i, vec3 position) {
@@ -83,17 +87,19 @@ void main() {
   vec3 glow = vec3(0.0);
   vec3 diffusion = diffusionLength(baseColor.rgb);
   for (int i = 0; i < int(flames.count); i++) {
-    glow += baseColor.rgb * waxGlow(i, vPositionWorld, diffusion) * uWax + emberGlow(i, vPositionWorld) * uWick;
-    vec3 toLight = flames.centres[i].xyz - vPositionWorld;
+    light = flameLight(i);
+    vec3 leaving = waxTransmission(vPositionWorld, diffusion, PILLAR_TRANSMITTANCE) * light.intensity / PI;
+    glow += baseColor.rgb * leaving * uWax + emberGlow(i, vPositionWorld) * uWick;
+    vec3 toLight = light.position - vPositionWorld;
     float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);
-    float NoL = max(dot(normal, toLight * inversesqrt(distanceSquared)), 0.0);
-    vec4 along = flames.alongs[i];
-    vec3 halfAxis = along.xyz * flames.centres[i].w;
-    FlameSpecular flame = flameSpecular(toLight, halfAxis, along.w, normal, view, NoV, alpha);
+    float cosine = max(dot(normal, toLight * inversesqrt(distanceSquared)), 0.0);
+    float NoL = uWax > 0.5 ? softCosine(normal, toLight) : cosine;
+    vec3 halfAxis = light.along * light.halfHeight;
+    FlameSpecular flame = flameSpecular(toLight, halfAxis, light.radius, normal, view, NoV, alpha);
     if (NoL + flame.lobe <= 0.0) continue;
-    vec3 perArea = flames.intensities[i].rgb / distanceSquared;
+    vec3 perArea = light.intensity / distanceSquared;
 #ifdef SHADOW_TAPS
-    perArea *= flameVisibility(i, vPositionWorld, facet, gl_FragCoord.xy);
+    perArea *= flameVisibility(vPositionWorld, facet, gl_FragCoord.xy);
 #endif
     vec3 fresnel = fresnelSchlick(f0, flame.SoH);
     diffuse += diffuseColor * (1.0 - fresnel) / PI * NoL * perArea;

@@ -102,7 +102,7 @@ void traceRay(vec3 start, vec3 ray, float nearest, bool isMirrored, inout vec4 s
   }
   // On the candle falls the mean light.
   bool isCandle = candle < FARTHEST_STEP;
-  if (isCandle && isMirrored) sum.rgb += transmittance * CANDLE_ALBEDO * waxTransmission(from + ray * candle);
+  if (isCandle && isMirrored) sum.rgb += transmittance * CANDLE_ALBEDO * taperTransmission(from + ray * candle);
   sum.a += transmittance * (isCandle ? CANDLE_ALBEDO / TRACED_INDIRECT : 1.0);
 }
 

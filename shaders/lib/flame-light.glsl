@@ -1,5 +1,5 @@
 // The flame as a light source: a capsule, equally intense in all directions, on its candle.
-// CANDLES: in shaders that shade for standing candles as well, the most of them.
+// CANDLES: in shaders that shade for standing candles as well, the most of them. FLAMES: in those of lib/candle-flames.glsl.
 
 struct FlameLight {
   vec3 position;     // centre of the capsule, m
@@ -27,6 +27,8 @@ layout(std140) uniform Candles {
 
 FlameLight light;         // the flame that is shaded for
 bool isStanding = false;  // whether it is a standing candle's
+#elif defined(FLAMES)
+FlameLight light;
 #else
 layout(std140) uniform Light {
   FlameLight light;

@@ -1,9 +1,7 @@
-// Soft shadows of several flames, from an atlas of cubes, by SHADOW_TAPS samples. Needs lib/candle-flames.glsl.
+// Soft shadow of a flame whose casters may be nearer to it than it is high: SHADOW_TAPS samples, each on the face of the
+// shadow cube that it meets. Needs lib/flame-light.glsl.
 // As in lib/pcss.glsl a texel is compared with the plane of the lit surface, in the direction of the texel's center.
-
-uniform sampler2D uShadowAtlas;  // distance from the flame, m; nearest texel of tiles of 3 x 2 faces
-uniform vec2 uShadowTiles;       // across and down
-uniform float uShadowFace;       // texels of a face's side
+#include "lib/shadow-cube.glsl"
 
 // A caster less far before the plane is the plane: m, and as a share of the distance.
 const float BIAS = 0.0012;
@@ -26,25 +24,16 @@ struct ShadowTexel {
   vec3 direction;  // of its center
 };
 
-// The texel of a direction, on the faces that src/render/lone-candle/flame-shadows.ts draws.
-ShadowTexel shadowTexel(int tile, vec3 direction) {
-  vec3 size = abs(direction);
-  bool isX = size.x >= size.y && size.x >= size.z;
-  bool isY = !isX && size.y >= size.z;
-  // By the axes of the face: across, up, along.
-  vec3 onFace = isX ? direction.zyx : isY ? direction.xzy : direction;
-  float side = onFace.z > 0.0 ? 1.0 : -1.0;
-  vec2 turned = isX ? vec2(side, 1.0) : isY ? vec2(1.0, side) : vec2(-side, 1.0);
-  vec2 uv = 0.5 + 0.5 * turned * onFace.xy / abs(onFace.z);
-  uv = (clamp(floor(uv * uShadowFace), 0.0, uShadowFace - 1.0) + 0.5) / uShadowFace;
-  float face = (isX ? 0.0 : isY ? 2.0 : 4.0) + (side > 0.0 ? 0.0 : 1.0);
-  float row = floor(float(tile) / uShadowTiles.x);
-  vec2 place = vec2(float(tile) - row * uShadowTiles.x, row);
-  vec2 corner = vec2(mod(face, 3.0), floor(face / 3.0));
-  vec2 atlas = (place + (corner + uv) / vec2(3.0, 2.0)) / uShadowTiles;
-  vec3 center = vec3(turned * (2.0 * uv - 1.0), side);
-  center = isX ? center.zyx : isY ? center.xzy : center;
-  return ShadowTexel(textureLod(uShadowAtlas, atlas, 0.0).r, center);
+ShadowTexel shadowTexel(vec3 direction) {
+  bvec2 axis = shadowAxis(direction);
+  vec3 along = onShadowFace(direction, axis);
+  float tile = shadowTileSize();
+  float texels = 0.5 * tile / SHADOW_REACH;
+  vec2 middle = shadowTileCenter(axis, along.z, light.shadowSlot, tile);
+  vec2 texel = floor(middle + along.xy / along.z * texels);
+  vec3 center = vec3((texel + 0.5 - middle) / texels, 1.0) * sign(along.z);
+  float distance = SHADOW_NEAR * length(center) / max(1.0 - shadowDepth(texel), SHADOW_STEP);
+  return ShadowTexel(distance, axis.x ? center.zxy : axis.y ? center.yzx : center);
 }
 
 // Distance of the lit plane along a direction, m. `from`: a point of it, so far away as `way`.
@@ -54,22 +43,19 @@ float planeDistance(vec3 direction, vec3 from, vec3 facet, float way) {
   return times > 0.0 ? min(times * length(direction), farthest) : farthest;
 }
 
-// Visible share of a flame: percentage-closer soft shadows (Fernando 2005). The flame is higher than it is wide.
+// Visible share of the flame: percentage-closer soft shadows (Fernando 2005). The flame is higher than it is wide.
 // `facet`: normal of the triangle, on the side that is lit. `pixel`: by which the taps are turned.
-float flameVisibility(int i, vec3 position, vec3 facet, vec2 pixel) {
-  int tile = int(flames.intensities[i].w);
-  if (tile < 0) return 1.0;
-  vec4 root = flames.roots[i];
-  vec3 from = position - root.xyz - vec3(0.0, root.w, 0.0);
+float flameVisibility(vec3 position, vec3 facet, vec2 pixel) {
+  if (light.shadowSlot < 0.0) return 1.0;
+  vec3 from = position - light.captureOrigin;
   float way = length(from);
   vec3 direction = from / way;
-  vec3 up = flames.alongs[i].xyz - direction * dot(flames.alongs[i].xyz, direction);
+  vec3 up = light.along - direction * dot(light.along, direction);
   float lying = length(up);
   vec3 across = normalize(cross(direction, vec3(direction.y, direction.z, -direction.x)));
   vec3 v = lying > 1e-3 ? up / lying : across;
   vec3 u = cross(direction, v);
-  float radius = flames.alongs[i].w;
-  vec2 size = vec2(radius, max(flames.centres[i].w * lying, radius));
+  vec2 size = vec2(light.radius, max(light.halfHeight * lying, light.radius));
   float bias = BIAS + SLOPE * way + min(RELIEF * way / max(-dot(from, facet), 1e-5), MOST_RELIEF);
   float reach = max(way - NEAREST_BLOCKER, 0.0) / NEAREST_BLOCKER;
   // Interleaved gradient noise: Jimenez 2014, "Next Generation Post Processing in Call of Duty: Advanced Warfare".
@@ -80,7 +66,7 @@ float flameVisibility(int i, vec3 position, vec3 facet, vec2 pixel) {
   for (int tap = 0; tap < SEARCH_TAPS; tap++) {
     float angle = turn + GOLDEN_ANGLE * float(tap);
     vec2 place = vec2(cos(angle), sin(angle)) * sqrt((float(tap) + 0.5) / float(SEARCH_TAPS)) * width;
-    ShadowTexel texel = shadowTexel(tile, from + u * place.x + v * place.y);
+    ShadowTexel texel = shadowTexel(from + u * place.x + v * place.y);
     if (texel.distance < planeDistance(texel.direction, from, facet, way) - bias) {
       sum += texel.distance;
       blockers += 1.0;
@@ -88,12 +74,13 @@ float flameVisibility(int i, vec3 position, vec3 facet, vec2 pixel) {
   }
   if (blockers == 0.0) return 1.0;
   float blocker = max(sum / blockers, 0.002);
-  width = clamp(size * ((way - blocker) / blocker), vec2(2.0 * LEAST_PENUMBRA * way / uShadowFace), vec2(0.5 * way));
+  float leastPenumbra = LEAST_PENUMBRA * way * 2.0 * SHADOW_REACH / shadowTileSize();
+  width = clamp(size * ((way - blocker) / blocker), vec2(leastPenumbra), vec2(0.5 * way));
   float visible = 0.0;
   for (int tap = 0; tap < SHADOW_TAPS; tap++) {
     float angle = turn + GOLDEN_ANGLE * float(tap);
     vec2 place = vec2(cos(angle), sin(angle)) * sqrt((float(tap) + 0.5) / float(SHADOW_TAPS)) * width;
-    ShadowTexel texel = shadowTexel(tile, from + u * place.x + v * place.y);
+    ShadowTexel texel = shadowTexel(from + u * place.x + v * place.y);
     visible += step(planeDistance(texel.direction, from, facet, way) - bias, texel.distance);
   }
   return visible / float(SHADOW_TAPS);

@@ -6,7 +6,10 @@
 
 // Width of a tile as a share of the face's: taps beyond the face's edges stay in its tile.
 const float SHADOW_REACH = 1.125;
-const float SHADOW_NEAR = 0.04;  // m
+// What is nearer to a light casts no shadow, m: a candle's own parts.
+#ifndef SHADOW_NEAR
+const float SHADOW_NEAR = 0.04;
+#endif
 // Step of the stored depth, 16 bits.
 const float SHADOW_STEP = 1.0 / 65535.0;
 

@@ -5,6 +5,7 @@
 #include "lib/material.glsl"
 
 in vec2 vUv;
+in float vOpacity;
 
 // Finer than a texel of the map asks for: means of the opacity close small holes, or open all.
 const float LOD_BIAS = -1.5;
@@ -12,6 +13,6 @@ const float LOD_BIAS = -1.5;
 
 void main() {
 #ifdef CUTOUT
-  if (texture(uAlbedo, vUv, LOD_BIAS).a * uBaseColor.a < uSurface.w) discard;
+  if (texture(uAlbedo, vUv, LOD_BIAS).a * uBaseColor.a * vOpacity < uSurface.w) discard;
 #endif
 }

@@ -57,7 +57,7 @@ export class SurfelPass extends Surfels {
 
   capture(casters: ShadowCasters, captureOrigin: Vec3, face: number): void {
     const { size } = this;
-    const uClipFromWorld = clipFromFace(face, captureOrigin, -1);
+    const uClipFromWorld = clipFromFace(face, captureOrigin);
     const uniforms = { uClipFromWorld, uCaptureOrigin: captureOrigin };
     const draw = { viewport: [face * size, 0, size, size], uniforms } as const;
     this.draw(casters, draw, frustumTest(uClipFromWorld));

@@ -2,21 +2,23 @@ import displayFrag from "../../../shaders/candle/custom-display.frag";
 import surfaceFrag from "../../../shaders/candle/custom-surface.frag";
 import surfaceVert from "../../../shaders/mesh/mesh.vert";
 import type { Model } from "../../assets/model.js";
-import type { Box, Gpu, Program, RenderTarget, Texture, UniformBlock } from "../../gl/gpu.js";
+import type { Box, Gpu, Program, RenderTarget, UniformBlock } from "../../gl/gpu.js";
 import { nextTask } from "../../gl/next-task.js";
 import { carriedFlame, emberOverPage, type RootedFlame, TAPER } from "../../light/flame-light.js";
 import type { Features } from "../../settings.js";
 import type { Bounds } from "../../world/geometry.js";
 import type { Wick } from "../../world/standing-candle.js";
+import { finish } from "../../world/steps.js";
 import type { World } from "../../world/world.js";
 import type { FrameSettings } from "../frame-settings.js";
 import { type Mesh, plainTextures, surfaceSampling, uploadModel } from "../mesh/mesh.js";
 import type { Tier } from "../quality.js";
+import { MeshCasters } from "../shadow/shadow-casters.js";
+import { ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
 import { FlamePass, standingWick } from "../volumetric/flame-pass.js";
 import type { DrawInLight } from "./cached-surfaces.js";
 import { boundsWithFlames, frameBox } from "./custom-framing.js";
-import { FlameLights } from "./flame-lights.js";
-import { FlameShadows } from "./flame-shadows.js";
+import { FlameLights, shadowOrigin } from "./flame-lights.js";
 import { glareFactor } from "./glare.js";
 import { BOUNCE_LIGHT, STUDIO_LIGHT } from "./light-groups.js";
 import { LightMeter, MOST_EXPOSURE } from "./light-meter.js";
@@ -34,17 +36,21 @@ const VIBRANCE = 0.4;
 const FLAME_STOPS = 15.5;
 /** Samples of a soft shadow of up to four flames, by tier; of more, each is a smaller part of the light. */
 const TAPS = { low: 8, medium: 16, high: 32, ultra: 48 } as const;
-/** Texels of a shadow cube's side, at the cheapest tier and at all others. */
-const FACE = { low: 128, others: 256 } as const;
+/** Texels along an edge of a shadow cube, at the cheapest tier and at all others. */
+const CUBE = { low: 128, others: 256 } as const;
+/** `SHADOW_NEAR` of candle/custom-surface.frag, metres. */
+const NEAR = 0.004;
 
 const NONE = [0, 0, 0] as const;
-const PLACEMENT = [0, 0, 0, 0] as const;
+const DEPTH_ALONE = { writesColor: false, cull: "back" } as const;
 
 /** GPU objects of one model on a context that others draw on, too. */
-function createResources(gpu: Gpu, program: Program, model: Model, flames: number, face: number) {
+function createResources(gpu: Gpu, program: Program, model: Model, flames: number, cube: number) {
+  const atlas = shadowAtlas(gpu, cube, flames, NEAR);
   return {
     meshes: uploadModel(gpu, model),
-    shadows: new FlameShadows(gpu, flames, face),
+    atlas,
+    shadows: Array.from({ length: flames }, (_, i) => new ShadowPass(gpu, atlas, i)),
     frame: gpu.uniformBlock(program, "Frame"),
     flames: gpu.uniformBlock(program, "Flames"),
     /** Of one light alone. */
@@ -56,7 +62,6 @@ function createResources(gpu: Gpu, program: Program, model: Model, flames: numbe
 /** Light of a frame. */
 interface Illumination {
   readonly flames: UniformBlock;
-  readonly atlas: Texture;
   /** Radiance of the studio, and of the model around, cd/m². */
   readonly environment: readonly number[];
   readonly bounce: readonly number[];
@@ -81,7 +86,6 @@ interface View {
   /** Luminance of the model's middle tones, cd/m². */
   readonly key: number;
   readonly exposure: number;
-  readonly atlas: Texture;
   /** Factor on the studio's light. */
   readonly studio: number;
 }
@@ -101,7 +105,7 @@ export class CustomModelRenderer extends LoneRenderer {
   readonly #wicks: readonly Surface[];
   readonly #opaque: readonly Surface[];
   readonly #clear: readonly Surface[];
-  readonly #casters: readonly Mesh[];
+  readonly #casters: MeshCasters;
   readonly #boundsWith: (firstWick: number) => Bounds;
   /** Diameter of the first wick that the camera looks at all flames for, metres. */
   #firstWick = Number.NaN;
@@ -127,10 +131,11 @@ export class CustomModelRenderer extends LoneRenderer {
     this.#bounds = model.bounds;
     this.#surfaceProgram = this.#programOf({ SHADOW_TAPS: tapsOf(tier, wicks.length) });
     this.#displayProgram = gpu.pass("candle/custom-display", displayFrag);
-    const face = tier.name === "low" ? FACE.low : FACE.others;
+    const isSummed = tier.name === "low";
+    const cube = isSummed ? CUBE.low : CUBE.others;
     plainTextures(gpu); // outlive the model
     const { made, release } = gpu.scoped(() =>
-      createResources(gpu, this.#surfaceProgram, model, wicks.length, face),
+      createResources(gpu, this.#surfaceProgram, model, wicks.length, cube),
     );
     this.#resources = made;
     this.#release = release;
@@ -142,15 +147,12 @@ export class CustomModelRenderer extends LoneRenderer {
     this.#wicks = surfaces.filter(({ isClear, uniforms }) => !isClear && uniforms.uWick === 1);
     // Wicks stand in their own flames, and clear surfaces transmit light: these cast shadows.
     this.#opaque = surfaces.filter(({ isClear, uniforms }) => !isClear && uniforms.uWick === 0);
-    this.#casters = this.#opaque.map(({ mesh }) => mesh);
-    made.shadows.request(this.#casters);
-    this.#meter = new LightMeter(
-      this.#casters.map(({ part }) => part),
-      wicks.length,
-    );
-    const draw: DrawInLight = (light, target, part) => this.#drawInLight(light, target, part);
-    const isSummed = tier.name === "low";
-    this.#summed = isSummed ? new SummedSurfaces(gpu, wicks.length, this.#casters, draw) : null;
+    const casters = this.#opaque.map(({ mesh }) => mesh);
+    this.#casters = new MeshCasters(gpu, casters);
+    const parts = casters.map(({ part }) => part);
+    this.#meter = new LightMeter(parts, wicks.length);
+    const draw: DrawInLight = (...call) => this.#drawInLight(...call);
+    this.#summed = isSummed ? new SummedSurfaces(gpu, wicks.length, draw) : null;
   }
 
   #programOf(defines: { readonly SHADOW_TAPS?: number }): Program {
@@ -178,7 +180,7 @@ export class CustomModelRenderer extends LoneRenderer {
     const { frame, flames, flame } = this.#resources;
     const { features } = settings;
     const view = this.#viewOf(world);
-    const { rooted, camera, key, exposure, studio, atlas } = view;
+    const { rooted, camera, key, exposure, studio } = view;
     const summed = this.#summedIn(settings);
     const behind = this.#hasDepth ? "kept" : "none";
     const drawn = this.begin(frame, camera, exposure, settings, summed ? behind : undefined);
@@ -188,7 +190,6 @@ export class CustomModelRenderer extends LoneRenderer {
     flames.update(this.#lights.members(rooted, clip, features.shadows, glare, ember));
     const light: Illumination = {
       flames,
-      atlas,
       environment: scaled(TAPER.color, studio),
       bounce: scaled(TAPER.color, key * BOUNCE),
       translucency: features.translucency,
@@ -197,10 +198,12 @@ export class CustomModelRenderer extends LoneRenderer {
     // All at once where none was prepared: frames between would take longer.
     while (summed && !summed.areShown) this.#proceed(summed, view, settings);
     if (!summed && features.candle) this.#drawSurfaces(this.#opaque, target, light);
-    if (!this.#hasDepth) summed?.drawDepth(target, frame, this.#casters);
-    const isDepthKept = summed !== null;
-    this.#hasDepth = isDepthKept;
-    if (features.candle) this.#drawSurfaces(this.#wicks, target, light, { isDepthKept });
+    if (summed && !this.#hasDepth) {
+      this.#casters.drawDepth({ ...DEPTH_ALONE, target, uClipFromWorld: clip as Float32Array });
+    }
+    this.#hasDepth = summed !== null;
+    const test = { isDepthKept: this.#hasDepth };
+    if (features.candle) this.#drawSurfaces(this.#wicks, target, light, test);
     for (const one of features.volume ? rooted : []) {
       flame.render(target, frame, standingWick(one), this.tier.physical.flameSteps);
     }
@@ -210,10 +213,8 @@ export class CustomModelRenderer extends LoneRenderer {
     this.#lastSum = summed && { world, settings };
   }
 
-  #display(
-    { rooted, magnification, key, exposure, studio }: View,
-    summed: SummedSurfaces | null,
-  ): void {
+  #display(view: View, summed: SummedSurfaces | null): void {
+    const { rooted, magnification, key, exposure, studio } = view;
     const { frame, flames } = this.#resources;
     const uniforms = {
       uVibrance: VIBRANCE,
@@ -250,10 +251,12 @@ export class CustomModelRenderer extends LoneRenderer {
     const { magnification, ...camera } = frameBox(this.#bounds, this.aspect);
     const rooted: readonly RootedFlame[] = [carriedFlame(world), ...world.standing];
     const { key, exposure } = this.#meter.measure(rooted);
-    const atlas = this.#resources.shadows.render(rooted, this.#casters);
+    for (const [i, pass] of this.#resources.shadows.entries()) {
+      finish(pass.update(this.#casters, shadowOrigin(rooted[i]!)));
+    }
     // The page around has the same brightness for one flame and for sixteen.
     const studio = (STUDIO * MOST_EXPOSURE) / exposure;
-    return { rooted, camera, magnification, key, exposure, atlas, studio };
+    return { rooted, camera, magnification, key, exposure, studio };
   }
 
   /** Continues the images of a sum. True when all are drawn. */
@@ -270,7 +273,6 @@ export class CustomModelRenderer extends LoneRenderer {
     alone.update(this.#lights.atRest(view.rooted, flames, features.shadows));
     const illumination = {
       flames: alone,
-      atlas: view.atlas,
       environment: light === STUDIO_LIGHT ? TAPER.color : NONE,
       bounce: light === BOUNCE_LIGHT ? TAPER.color : NONE,
       translucency: features.translucency,
@@ -281,25 +283,24 @@ export class CustomModelRenderer extends LoneRenderer {
   #drawSurfaces(
     surfaces: readonly Surface[],
     target: RenderTarget,
-    { flames, atlas, environment, bounce, translucency }: Illumination,
+    { flames, environment, bounce, translucency }: Illumination,
     { scissor, isDepthKept }: { readonly scissor?: Box; readonly isDepthKept?: boolean } = {},
   ): void {
-    const { frame, shadows } = this.#resources;
+    const { frame, atlas } = this.#resources;
     for (const { mesh, uniforms, isClear, isTransmissive } of surfaces) {
       this.gpu.draw({
         program: isTransmissive ? this.#programOf({}) : this.#surfaceProgram,
         target,
         scissor,
         vertexArray: mesh.vertexArray,
-        textures: { ...mesh.textures, uShadowAtlas: atlas },
+        textures: { ...mesh.textures, uShadow: atlas.depth },
         sampling: surfaceSampling(this.tier),
         uniforms: {
           ...uniforms,
           ...(translucency ? {} : { uWax: 0 }),
           uEnvironment: environment,
           uBounce: bounce,
-          uPlacement: PLACEMENT,
-          ...(isTransmissive ? {} : { uShadowTiles: shadows.tiles, uShadowFace: shadows.face }),
+          uPlacement: [0, 0, 0, 0],
         },
         blocks: { Frame: frame, Flames: flames },
         blend: isClear ? "premultiplied" : "replace",

@@ -6,8 +6,9 @@ import {
   type RootedFlame,
   TAPER,
 } from "../../light/flame-light.js";
-import { flameRadius, fullHeight } from "../../world/flame/burning.js";
-import { shadowHeight } from "./flame-shadows.js";
+import { flameRadius, fullHeight, heightInTapers } from "../../world/flame/burning.js";
+import type { Flame } from "../../world/flame/flame.js";
+import type { Vec3 } from "../../world/geometry.js";
 import { glareOf } from "./glare.js";
 
 /** Most flames of the shaders' `Flames` block. */
@@ -15,6 +16,17 @@ export const MOST_FLAMES = 16;
 
 /** Half height of a flame's light as a capsule, as a share of its height. */
 const HALF_HEIGHT = 0.36;
+
+/** A taper's middle above its root, metres. */
+const MIDDLE = 0.016;
+const shadowHeight = ({ wick }: Flame) => MIDDLE * heightInTapers(wick);
+
+/** Capture origin of a flame's shadow cube: its middle at rest, metres. */
+export const shadowOrigin = ({ root: [x, y, z], flame }: RootedFlame): Vec3 => [
+  x,
+  y + shadowHeight(flame),
+  z,
+];
 
 const vectors = () => new Float32Array(MOST_FLAMES * 4);
 
@@ -37,7 +49,7 @@ export class FlameLights {
 
   /**
    * @param clip clip space from world space
-   * @param hasShadows whether the shadow atlas has a tile for each
+   * @param hasShadows whether each has a shadow cube
    * @param glare factor on the light that the eye scatters
    * @param emberFactor on embers and their light
    */
@@ -63,7 +75,7 @@ export class FlameLights {
   /**
    * The same of some flames alone, each upright and of 1 cd: for light that is kept.
    *
-   * @param places of them in the list of all, and in the shadow atlas
+   * @param places of them in the list of all, and of their shadow cubes
    */
   atRest(
     flames: readonly RootedFlame[],
@@ -77,13 +89,13 @@ export class FlameLights {
     return { ...this.#members, count: places.length };
   }
 
-  #setLight(i: number, { root, flame }: RootedFlame, light: FlameLight, tile: number): void {
+  #setLight(i: number, { root, flame }: RootedFlame, light: FlameLight, slot: number): void {
     const { position, axis, halfHeight, radius, intensity } = light;
     const all = this.#members;
     const at = i * 4;
     all["centres[0]"].set([...position, halfHeight], at);
     all["alongs[0]"].set([...axis, radius], at);
-    all["intensities[0]"].set([...intensity, tile], at);
+    all["intensities[0]"].set([...intensity, slot], at);
     all["roots[0]"].set([...root, shadowHeight(flame)], at);
   }
 }

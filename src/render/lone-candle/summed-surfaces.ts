@@ -1,10 +1,7 @@
 import displayFrag from "../../../shaders/candle/custom-display.frag";
-import depthFrag from "../../../shaders/mesh/depth.frag";
-import meshVert from "../../../shaders/mesh/mesh.vert";
-import type { Gpu, Program, RenderTarget, UniformBlock } from "../../gl/gpu.js";
+import type { Gpu, Program } from "../../gl/gpu.js";
 import type { RootedFlame } from "../../light/flame-light.js";
 import type { Size } from "../frame-input.js";
-import type { Mesh } from "../mesh/mesh.js";
 import { CachedSurfaces, type DrawInLight } from "./cached-surfaces.js";
 import { LightGroups } from "./light-groups.js";
 
@@ -13,18 +10,15 @@ export class SummedSurfaces {
   readonly groups: LightGroups;
   /** Of the display: the sum is behind what is drawn in a frame. */
   readonly program: Program;
-  readonly #gpu: Gpu;
   readonly #cached: CachedSurfaces;
   /** Those that the images are of. */
   #flames: readonly (readonly number[])[] = [];
 
-  constructor(gpu: Gpu, flames: number, surfaces: readonly Mesh[], draw: DrawInLight) {
-    this.#gpu = gpu;
+  constructor(gpu: Gpu, flames: number, draw: DrawInLight) {
     this.groups = new LightGroups(flames);
     const { count } = this.groups;
     this.#cached = new CachedSurfaces(gpu, draw);
     this.program = gpu.pass("candle/custom-display", displayFrag, { defines: { LIGHTS: count } });
-    for (const mesh of surfaces) this.#depthProgram(mesh); // requested, to compile while others do
   }
 
   /** Whether there are images to show. */
@@ -56,29 +50,6 @@ export class SummedSurfaces {
     const areDrawn = this.#cached.proceed(size, details);
     if (areDrawn) this.#flames = flames;
     return areDrawn;
-  }
-
-  /** Draws the depth of the surfaces alone. */
-  drawDepth(target: RenderTarget, frame: UniformBlock, meshes: readonly Mesh[]): void {
-    for (const mesh of meshes) {
-      const { vertexArray, textures, uniforms, isDoubleSided, isCutOut } = mesh;
-      this.#gpu.draw({
-        program: this.#depthProgram(mesh),
-        target,
-        vertexArray,
-        textures,
-        uniforms: { ...(isCutOut ? uniforms : {}), uPlacement: [0, 0, 0, 0] },
-        blocks: { Frame: frame },
-        depth: "test-and-write",
-        writesColor: false,
-        cull: isDoubleSided ? "none" : "back",
-      });
-    }
-  }
-
-  #depthProgram({ isCutOut }: Mesh): Program {
-    const defines = isCutOut ? { CUTOUT: 1, COLORED: 1 } : {};
-    return this.#gpu.program("mesh/depth", meshVert, depthFrag, { defines });
   }
 
   /** Frees the images; others may follow. */

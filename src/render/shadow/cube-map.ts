@@ -12,23 +12,15 @@ export const FACES = [0, 1, 2, 3, 4, 5].map((face) => ({
 }));
 
 /**
- * Clip space of one face of a cube around `origin` (metres), from world space.
- *
- * @param up vertical direction that is up in the view through the four sides. 1: in an atlas, -1: in GL's cube maps
- * @param near plane, as `far`, metres
+ * Clip space of one face of a cube map around `origin` (metres), from world space. Down is up in the view through the four
+ * sides, as in GL's cube maps.
  */
-export function clipFromFace(
-  face: number,
-  origin: Readonly<Vec3>,
-  up: 1 | -1,
-  near = NEAR,
-  far = FAR,
-): Float32Array {
+export function clipFromFace(face: number, origin: Readonly<Vec3>): Float32Array {
   const { axis, sign } = FACES[face]!;
   const ahead: Vec3 = [...origin];
   ahead[axis]! += sign;
-  const clip = mat4.lookAt(mat4.create(), origin, ahead, axis === 1 ? [0, 0, sign] : [0, up, 0]);
-  const clipFromView = mat4.perspective(mat4.create(), Math.PI / 2, 1, near, far);
+  const clip = mat4.lookAt(mat4.create(), origin, ahead, axis === 1 ? [0, 0, sign] : [0, -1, 0]);
+  const clipFromView = mat4.perspective(mat4.create(), Math.PI / 2, 1, NEAR, FAR);
   return mat4.multiply(clip, clipFromView, clip) as Float32Array;
 }
 

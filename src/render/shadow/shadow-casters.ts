@@ -40,35 +40,76 @@ export function clustersOf(
 
 const NONE = new Float32Array();
 
-/** Where depth is drawn, and by which projection. */
-export interface DepthDraw extends Pick<Draw, "target" | "viewport"> {
+/** Where depth is drawn, and by which projection. By default both faces of triangles cast shadows. */
+export interface DepthDraw extends Pick<Draw, "target" | "viewport" | "writesColor" | "cull"> {
   readonly uClipFromWorld: Float32Array;
 }
 
+/** What casts shadows. */
+export interface Casters {
+  /** Draws the depth of what is in visible boxes. */
+  drawDepth(draw: DepthDraw, isVisible: (box: Bounds) => boolean): void;
+}
+
+const DEPTH = { depth: "test-and-write", cull: "none" } as const;
+const ANYWHERE = () => true;
+
 /** Program of the casters' depth. */
-export function depthProgram(gpu: Gpu, defines: { readonly CUTOUT?: 1 } = {}): Program {
+function depthProgram(gpu: Gpu, isCutOut: boolean): Program {
+  const defines = isCutOut ? { CUTOUT: 1 } : {};
   return gpu.program("shadow/shadow", cubeFaceVert, shadowFrag, { defines });
 }
 
+/** Meshes as casters, each by its own triangles. */
+export class MeshCasters implements Casters {
+  readonly #gpu: Gpu;
+  readonly #meshes: readonly Mesh[];
+
+  constructor(gpu: Gpu, meshes: readonly Mesh[]) {
+    this.#gpu = gpu;
+    this.#meshes = meshes;
+    for (const { isCutOut } of meshes) depthProgram(gpu, isCutOut); // to be compiled before it is drawn with
+  }
+
+  drawDepth(
+    { uClipFromWorld, ...pass }: DepthDraw,
+    isVisible: (box: Bounds) => boolean = ANYWHERE,
+  ): void {
+    for (const { clusters, vertexArray, textures, isCutOut, ...mesh } of this.#meshes) {
+      if (clusters.length > 0 && !clusters.some(isVisible)) continue;
+      this.#gpu.draw({
+        ...DEPTH,
+        ...pass,
+        ...(mesh.isDoubleSided && DEPTH),
+        program: depthProgram(this.#gpu, isCutOut),
+        vertexArray,
+        textures: isCutOut ? textures : {},
+        uniforms: { uClipFromWorld, ...(isCutOut && mesh.uniforms) },
+      });
+    }
+  }
+}
+
 /** The room's clusters of triangles, culled by face of a cube: casters of shadows and of indirect light. */
-export class ShadowCasters {
+export class ShadowCasters implements Casters {
   readonly #gpu: Gpu;
   readonly #clusters: Clusters;
   readonly #surfaces: readonly Mesh[];
   readonly #vertexArray: VertexArray;
   readonly #buffers: readonly Buffer[];
   /** Surfaces with holes, which are drawn by their own triangles. */
-  readonly #perforated: readonly Mesh[];
+  readonly #perforated: MeshCasters;
 
   /** @param surfaces of the same model, in the order of its parts */
   constructor(gpu: Gpu, model: Model, surfaces: readonly Mesh[], detail: CasterDetail) {
     this.#gpu = gpu;
     this.#surfaces = surfaces;
     this.#clusters = clustersOf(model, detail).finish();
-    this.#perforated = surfaces.filter(
+    depthProgram(gpu, false);
+    const perforated = surfaces.filter(
       ({ isCutOut }, i) => isCutOut && model.parts[i]!.indices.length > 0,
     );
-    if (this.#perforated.length > 0) depthProgram(gpu, { CUTOUT: 1 }); // to be compiled before it is drawn with
+    this.#perforated = new MeshCasters(gpu, perforated);
     const { vertices, indices } = this.#clusters;
     const buffer = gpu.buffer("casters/vertices", vertices);
     const indexBuffer = gpu.buffer("casters/indices", indices, "index");
@@ -86,27 +127,22 @@ export class ShadowCasters {
   }
 
   /** Draws the depth of all, of those with holes without these. By `shadow/cube-face.vert`. */
-  drawDepth(
-    { target, viewport, uClipFromWorld }: DepthDraw,
-    isVisible: (box: Bounds) => boolean,
-  ): void {
+  drawDepth(draw: DepthDraw, isVisible: (box: Bounds) => boolean): void {
+    const { uClipFromWorld, ...pass } = draw;
     const { clusters: all, wholeCount } = this.#clusters;
-    const pass = { target, depth: "test-and-write", cull: "none" } as const;
-    const draw = (call: Pick<Draw, "program" | "vertexArray"> & Partial<Draw>) =>
-      this.#gpu.draw({
-        ...pass,
-        ...(viewport && { viewport }),
-        ...call,
-        uniforms: { ...call.uniforms, uClipFromWorld },
-      });
-    const program = depthProgram(this.#gpu);
+    const program = depthProgram(this.#gpu, false);
+    const vertexArray = this.#vertexArray;
     for (const run of runsOf(all.slice(0, wholeCount), isVisible, MOST_DRAWS)) {
-      draw({ ...run, program, vertexArray: this.#vertexArray });
+      this.#gpu.draw({
+        ...DEPTH,
+        ...pass,
+        ...run,
+        program,
+        vertexArray,
+        uniforms: { uClipFromWorld },
+      });
     }
-    for (const { clusters, vertexArray, textures, uniforms } of this.#perforated) {
-      if (clusters.length > 0 && !clusters.some(isVisible)) continue;
-      draw({ program: depthProgram(this.#gpu, { CUTOUT: 1 }), vertexArray, textures, uniforms });
-    }
+    this.#perforated.drawDepth(draw, isVisible);
   }
 
   /** Draws what draws with albedo need, a surface in each step. */

@@ -5,7 +5,7 @@ import { finish, type Steps } from "../../world/steps.js";
 import { frustumTest } from "../camera.js";
 import { SCHEDULE } from "../schedule.js";
 import { clipFromShadowFace, FACES, NEAR } from "./cube-map.js";
-import { depthProgram, type ShadowCasters } from "./shadow-casters.js";
+import type { Casters } from "./shadow-casters.js";
 
 /** Width of a face's tile as a share of the face's: `SHADOW_REACH` of `shaders/lib/shadow-tiles.glsl`. */
 const REACH = 1.125;
@@ -59,19 +59,18 @@ export class ShadowPass {
   readonly #slot: number;
   #lastOrigin: Vec3 = [Number.NaN, 0, 0];
   /** Casters in the cube; null if some of them were culled. */
-  #allCasters: ShadowCasters | null = null;
+  #allCasters: Casters | null = null;
   #age = 0;
 
   /** @param slot in the texture, which other lights may share */
   constructor(gpu: Gpu, atlas: ShadowAtlas, slot = 0) {
     this.#gpu = gpu;
-    depthProgram(gpu); // to be compiled before it is drawn with
     this.#atlas = atlas;
     this.#slot = slot;
   }
 
   /** Depth of the faces; drawn only if origin or casters have changed, a face in each step. */
-  *update(casters: ShadowCasters, captureOrigin: Vec3): Steps<Texture> {
+  *update(casters: Casters, captureOrigin: Vec3): Steps<Texture> {
     if (this.#distanceMoved(captureOrigin) > 0 || this.#allCasters !== casters) {
       yield* this.steps(casters, captureOrigin);
     }
@@ -85,7 +84,7 @@ export class ShadowPass {
    * @param isNeeded whether the contents of a box cast shadows into view, while the light moves
    */
   updateIncrementally(
-    casters: ShadowCasters,
+    casters: Casters,
     captureOrigin: Vec3,
     { isBusy, isNeeded }: { readonly isBusy: boolean; readonly isNeeded: (box: Bounds) => boolean },
   ): ShadowCube {
@@ -112,7 +111,7 @@ export class ShadowPass {
    * @param isNeeded whether the contents of a box are drawn. Default: all are
    */
   *steps(
-    casters: ShadowCasters,
+    casters: Casters,
     captureOrigin: Vec3,
     isNeeded?: (box: Bounds) => boolean,
   ): Steps<Texture> {

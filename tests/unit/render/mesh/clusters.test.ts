@@ -83,7 +83,7 @@ test("a face of the cube leaves out only what does not show in it", () => {
   const { clusters } = finish(clusterSteps([floor(40, 4)], 0));
   let drawn = 0;
   for (const face of FACES.keys()) {
-    const clip = clipFromFace(face, eye, -1);
+    const clip = clipFromFace(face, eye);
     for (const box of clusters) {
       const centre = box.min.map((low, axis) => (low + (box.max[axis] ?? 0)) / 2);
       const [x = 0, y = 0, , w = 0] = vec4.transformMat4(
