@@ -128,9 +128,15 @@ export function resized(image: TextureImage, options: ImageBitmapOptions): Promi
   return createImageBitmap(source, { ...AS_STORED, ...options });
 }
 
+/** Ends of the rows in which images are decoded: some browsers do it while the page waits, and all in one go. */
+const rows: Promise<unknown>[] = Array.from({ length: 4 }, () => Promise.resolve());
+
 function bitmapOf(bytes: Uint8Array<ArrayBuffer>): Promise<ImageBitmap> {
   const stored = new Blob([withoutExif(bytes)]);
-  return createImageBitmap(stored, AS_STORED).catch((cause: unknown) => {
+  const before = rows.shift() ?? Promise.resolve();
+  const decoded = before.then(() => createImageBitmap(stored, AS_STORED));
+  rows.push(decoded.catch(() => {}));
+  return decoded.catch((cause: unknown) => {
     throw new Flaw("is not a picture that can be read", { cause });
   });
 }

@@ -44,3 +44,34 @@ test("a KTX2 picture whose only level is longer than some GPUs accept is shrunk"
   expect(resize.mock.calls[0]?.[1]).toMatchObject({ resizeWidth: 4096, resizeHeight: 1 });
   expect([...images.warnings]).toEqual(["The texture wall is shrunk from 8192 x 2 pixels."]);
 });
+
+test("at most four pictures are decoded at once, and one that cannot be holds up no other", async () => {
+  const open: { resolve: (image: object) => void; reject: (error: Error) => void }[] = [];
+  let most = 0;
+  const decode = () =>
+    new Promise<object>((resolve, reject) => {
+      open.push({ resolve, reject });
+      most = Math.max(most, open.length);
+    });
+  vi.stubGlobal("createImageBitmap", decode);
+  const indices = [...Array(10).keys()];
+  const document = readDocument({
+    asset: { version: "2.0" },
+    textures: indices.map((source) => ({ source })),
+    images: indices.map((bufferView) => ({ bufferView })),
+    buffers: [{}],
+    bufferViews: indices.map(() => ({ buffer: 0 })),
+  });
+  const sources = { file: "a.glb", signal: new AbortController().signal } as unknown as Sources;
+  const images = new TextureImages(document, async () => jpeg("Exif"), sources);
+  const read = Promise.allSettled(indices.map((index) => images.texture(index)));
+  for (let done = 0; done < indices.length; ) {
+    await new Promise((resolve) => setImmediate(resolve));
+    const one = open.shift();
+    if (done++ === 2) one?.reject(new Error("broken"));
+    else one?.resolve({ width: 1, height: 1 });
+  }
+  const outcomes = (await read).map(({ status }) => status);
+  expect(outcomes.filter((status) => status === "rejected")).toHaveLength(1);
+  expect(most).toBe(4);
+});
