@@ -42,17 +42,15 @@ export async function manifest() {
     type: { text: setting.kind === "choice" ? union(setting.choices) : TYPES[setting.kind] },
     ...("default" in setting ? { default: JSON.stringify(setting.default) } : {}),
   }));
-  const fields = attributes.map(({ fieldName, description, type }) => ({
-    kind: "field",
-    name: fieldName,
-    description,
-    type,
-  }));
+  const fields = attributes.map(({ fieldName: name, description, type }) => {
+    return { kind: "field", name, description, type };
+  });
   const members = analyzedClass.members
     .filter(({ privacy }) => privacy === undefined)
     .map((member) =>
       member.name === "inspect" ? { ...member, type: { text: union(INSPECTIONS) } } : member,
     );
+  const superclass = { name: "HTMLElement" };
   const path = "dist/candle-flame-element.js";
   const declaration = { name: analyzedClass.name, module: path };
   return {
@@ -62,12 +60,7 @@ export async function manifest() {
         kind: "javascript-module",
         path,
         declarations: [
-          {
-            ...analyzedClass,
-            superclass: { name: "HTMLElement" },
-            attributes,
-            members: [...fields, ...members],
-          },
+          { ...analyzedClass, superclass, attributes, members: [...fields, ...members] },
         ],
         exports: [{ kind: "js", name: declaration.name, declaration }],
       },

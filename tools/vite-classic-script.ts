@@ -16,24 +16,15 @@ export function classicScript(page: string, script: string): Plugin {
   const source = readFileSync(resolve(ROOT, script), "utf8");
   const hash = createHash("sha256").update(source).digest("base64url").slice(0, 8);
   const built = `code/${basename(script, ".js")}-${hash}.js`;
-  let isBuild = false;
   return {
     name: "classic-script",
-    configResolved({ command }) {
-      isBuild = command === "build";
-    },
     generateBundle() {
       this.emitFile({ type: "asset", fileName: built, source });
     },
-    transformIndexHtml: (_, { filename }) =>
-      filename === resolve(ROOT, page)
-        ? [
-            {
-              tag: "script",
-              attrs: { src: isBuild ? `./${built}` : `/${script}` },
-              injectTo: "head",
-            },
-          ]
-        : [],
+    transformIndexHtml(_, { filename, bundle }) {
+      if (filename !== resolve(ROOT, page)) return [];
+      const src = bundle ? `./${built}` : `/${script}`;
+      return [{ tag: "script", attrs: { src }, injectTo: "head" }];
+    },
   };
 }
