@@ -27,7 +27,7 @@ const MATERIALS = {
 };
 /** Wax and its melted pool: albedo, and the color that light takes on over a distance within it. */
 const WAX = {
-  wreath: { color: [0.5, 0.035, 0.025], attenuation: [0.85, 0.1, 0.06], wickDiameter: 2.5 },
+  wreath: { color: [0.17, 0.01, 0.008], attenuation: [0.85, 0.1, 0.06], wickDiameter: 2.5 },
   jar: { color: [0.84, 0.78, 0.66], attenuation: [0.9, 0.75, 0.5], wickDiameter: 3 },
 };
 /** Metres. */
