@@ -66,10 +66,11 @@ export class LoneCandleRenderer extends LoneRenderer {
     const drawn = this.begin(frame, camera, EXPOSURE, settings);
     light.update(lightBlock(world, features.candle, EMBER));
     if (features.candle) this.#drawCandle(drawn.target, world);
+    const wick = carriedWick(world);
     if (features.volume) {
-      flame.render(drawn.target, frame, carriedWick(world), this.tier.physical.flameSteps);
+      flame.render(drawn.target, frame, wick, this.tier.physical.flameSteps);
     }
-    if (features.smoke) this.drawSmoke(world, drawn, frame, TAPER.color);
+    if (features.smoke) this.drawSmoke(world, drawn, frame, TAPER.color, wick.tip);
     const glare = glareOf(
       flameLight(carriedFlame(world), TAPER, EMBER),
       drawn.clip,

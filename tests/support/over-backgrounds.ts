@@ -194,11 +194,16 @@ export function mixtures(seed: number, seconds: number) {
   advance(world, STILL, 1);
   look();
   const smoke = repeated(0.03, () =>
-    passes.smoke.render(world, clip, {
-      target,
-      textures: { uDepth: depth, ...volume.textures },
-      blocks: { Frame: frame, Light: light, Volume: volume.block },
-    }),
+    passes.smoke.render(
+      world,
+      clip,
+      {
+        target,
+        textures: { uDepth: depth, ...volume.textures },
+        blocks: { Frame: frame, Light: light, Volume: volume.block },
+      },
+      carriedWick(world).tip,
+    ),
   );
   gpu.dispose();
   return { flame, dust, spark, smoke };

@@ -15,7 +15,7 @@ import { type Mesh, plainTextures, surfaceSampling, uploadModel } from "../mesh/
 import type { Tier } from "../quality.js";
 import { MeshCasters } from "../shadow/shadow-casters.js";
 import { ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
-import { FlamePass, standingWick } from "../volumetric/flame-pass.js";
+import { FlamePass, standingWick, UPRIGHT_TIP } from "../volumetric/flame-pass.js";
 import type { DrawInLight } from "./cached-surfaces.js";
 import { boundsWithFlames, frameBox } from "./custom-framing.js";
 import { FlameLights, shadowOrigin } from "./flame-lights.js";
@@ -207,7 +207,7 @@ export class CustomModelRenderer extends LoneRenderer {
     for (const one of features.volume ? rooted : []) {
       flame.render(target, frame, standingWick(one), this.tier.physical.flameSteps);
     }
-    if (features.smoke) this.drawSmoke(world, drawn, frame, light.environment);
+    if (features.smoke) this.drawSmoke(world, drawn, frame, light.environment, UPRIGHT_TIP);
     if (features.candle) this.#drawSurfaces(this.#clear, target, light);
     this.#display(view, summed);
     this.#lastSum = summed && { world, settings };

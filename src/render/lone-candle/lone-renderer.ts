@@ -127,9 +127,10 @@ export abstract class LoneRenderer implements Renderer {
     { target, clip }: LoneFrame,
     frame: UniformBlock,
     uEnvironment: readonly number[],
+    tip: Readonly<Vec3>,
   ): void {
     const draw = { target, uniforms: { uEnvironment }, blocks: { Frame: frame } };
-    this.#smokePass(this.gpu)?.render(world, clip, draw);
+    this.#smokePass(this.gpu)?.render(world, clip, draw, tip);
   }
 
   /**

@@ -26,6 +26,8 @@ export interface BurningWick extends RootedFlame {
 export const HANDLE_TURN = -1.1;
 /** Tip of the wick from the foot of the flame, in the model's frame, m. */
 const WICK_TIP = [0.0026, 0.0067, 0.0003] as const;
+/** The same of upright wicks. */
+export const UPRIGHT_TIP: Readonly<Vec3> = [0, WICK_TIP[1], 0];
 /** Vertices of the hull: six sides of two triangles between rings around the spheres and both ends. */
 const HULL_VERTICES = (BALLS + 1) * 6 * 6;
 
@@ -118,5 +120,5 @@ export function carriedWick(world: World): BurningWick {
 
 /** The flame of a standing candle, whose wick is upright. */
 export function standingWick({ root, flame }: RootedFlame): BurningWick {
-  return { root, flame, tip: [0, WICK_TIP[1], 0] };
+  return { root, flame, tip: UPRIGHT_TIP };
 }

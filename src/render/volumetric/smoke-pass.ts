@@ -4,6 +4,7 @@ import smokeVert from "../../../shaders/volumetric/smoke.vert";
 import type { Draw, Gpu, Program, Texture, UniformBlock, VertexArray } from "../../gl/gpu.js";
 import { luma } from "../../light/color.js";
 import { carriedFlame, emberIntensity } from "../../light/flame-light.js";
+import { WICK_END } from "../../world/air/plume.js";
 import type { Flame } from "../../world/flame/flame.js";
 import { rootedFlame } from "../../world/flames.js";
 import { length3, type Vec3 } from "../../world/geometry.js";
@@ -18,7 +19,7 @@ const REACH = 2.4;
 /** Most by which a line leaves the straight way between two rows, as a share of it. */
 const BULGE = 0.25;
 
-/** Youngest rows that follow the wick between steps of the air. */
+/** Youngest rows that follow the wick's tip, which the air knows neither between its steps nor where a wick leans. */
 const LED_ROWS = 8;
 
 /** Light of the place that smoke scatters, beside that of standing flames, and what it is drawn with. */
@@ -72,8 +73,9 @@ export class SmokePass {
     });
   }
 
-  render(world: World, clip: mat4, draw: SmokeDraw): void {
-    const smokes = [...visibleSmokes(world)];
+  /** @param tip of the first candle's wick, from the flame's root, metres; others are upright, and end as high */
+  render(world: World, clip: mat4, draw: SmokeDraw, tip: Readonly<Vec3>): void {
+    const smokes = [...visibleSmokes(world, tip)];
     if (smokes.length === 0) return;
     const flames = [...(this.#isAlone ? [carriedFlame(world)] : []), ...world.standing];
     const burning = flames.filter(({ flame }) => flame.glow > 0).slice(0, MOST_FLAMES);
@@ -124,20 +126,22 @@ function carriedShare(flame: Flame): number {
 
 interface VisibleSmoke {
   readonly smoke: Smoke;
-  /** Way of its wick since the youngest parcels were born, metres. */
+  /** Way from where the youngest parcels were born to the tip of its wick, metres. */
   readonly moved: Vec3;
 }
 
-function* visibleSmokes(world: World): Generator<VisibleSmoke> {
+function* visibleSmokes(world: World, first: Readonly<Vec3>): Generator<VisibleSmoke> {
   for (const [index, { plume }] of [world, ...world.standing].entries()) {
     const root = rootedFlame(world, index)?.root;
     if (!root || !plume || plume.smoke.count < 2) continue;
-    yield { smoke: plume.smoke, moved: plume.wayTo(root) };
+    const [x, y, z] = plume.wayTo(root);
+    const tip = index === 0 ? first : ([0, first[1], 0] as const);
+    yield { smoke: plume.smoke, moved: [x + tip[0], y + tip[1] - WICK_END, z + tip[2]] };
   }
 }
 
-export function* smokeSpheres(world: World): Generator<Iterable<Sphere>> {
-  for (const smoke of visibleSmokes(world)) yield spheresOf(smoke);
+export function* smokeSpheres(world: World, tip: Readonly<Vec3>): Generator<Iterable<Sphere>> {
+  for (const smoke of visibleSmokes(world, tip)) yield spheresOf(smoke);
 }
 
 /** One for each row of parcels that is seen, or next to one that is. */

@@ -127,12 +127,13 @@ export class VolumetricStage {
       this.#motes?.render("dust", composited, world, Frame, Light, irradiance, moonlight);
     }
     if (features.smoke) {
-      this.#smoke.render(world, clipFromWorld, {
+      const draw = {
         target,
         textures: { uDepth: composited.depth, ...irradiance.textures },
         uniforms: { uMoonlight: moonlight },
         blocks: { Frame, Light, Volume: irradiance.block },
-      });
+      };
+      this.#smoke.render(world, clipFromWorld, draw, carriedWick(world).tip);
     }
     if (features.sparks && !isStill) {
       this.#motes?.render("spark", composited, world, Frame, Light, irradiance, moonlight);
@@ -207,7 +208,7 @@ export class VolumetricStage {
       else if (emberRadiance(candle.flame.ember)[0] >= FAINTEST_EMBER)
         yield [[x, y, z, EMBER_REACH]];
     }
-    if (world.plume && settings.features.smoke) yield* smokeSpheres(world);
+    if (world.plume && settings.features.smoke) yield* smokeSpheres(world, carriedWick(world).tip);
   }
 }
 

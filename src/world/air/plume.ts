@@ -13,8 +13,8 @@ const BURNING = 0.8;
 /** Heat of the ember just after its flame is out, W, and its height, m. */
 const EMBER_POWER = 2.4;
 const EMBER_HEIGHT = 0.012;
-/** The end of the wick, from the foot of the flame. Metres. */
-const WICK_END = 0.004;
+/** Height over the foot of the flame at which smoke begins in its air, metres: between the ends of all wicks. */
+export const WICK_END = 0.004;
 /** A candle that moves farther in a step has jumped, into air at rest. Metres. */
 const JUMP = 0.3;
 /** Time until the glowing wick smokes at full strength, seconds. */

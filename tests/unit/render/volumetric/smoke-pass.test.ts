@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
 import type { Draw, Gpu } from "../../../../src/gl/gpu.ts";
+import { carriedWick, UPRIGHT_TIP } from "../../../../src/render/volumetric/flame-pass.ts";
 import { SmokePass, smokeSpheres } from "../../../../src/render/volumetric/smoke-pass.ts";
 import { advance } from "../../../../src/world/advance.ts";
-import { createPlume } from "../../../../src/world/air/plume.ts";
+import { createPlume, WICK_END } from "../../../../src/world/air/plume.ts";
 import { moveCamera } from "../../../../src/world/commands.ts";
-import type { Vec3 } from "../../../../src/world/geometry.ts";
 import { type Intent, STILL } from "../../../../src/world/player/intent.ts";
 import { CollisionMesh } from "../../../../src/world/room/collision-mesh.ts";
 import { createRoom } from "../../../../src/world/room/room.ts";
@@ -12,7 +12,6 @@ import type { World } from "../../../../src/world/world.ts";
 import { createWorld } from "../../../support/world.ts";
 import { insideOf } from "../../world/rooms.ts";
 
-const END: Vec3 = [0, 0.004, 0];
 const STRAFING: Intent = { ...STILL, right: 1, runs: true };
 
 /** A world whose candle was blown out half a second ago. */
@@ -25,7 +24,7 @@ function smoking(): World {
 }
 
 /** The uniform that moves the youngest parcels in a frame. */
-function movedIn(world: World): readonly number[] {
+function movedIn(world: World, tip = carriedWick(world).tip): readonly number[] {
   let moved: unknown;
   const gpu = {
     program: () => ({}),
@@ -37,7 +36,7 @@ function movedIn(world: World): readonly number[] {
       moved = uniforms?.uMoved;
     },
   } as unknown as Gpu;
-  new SmokePass(gpu, false).render(world, new Float32Array(16), {} as Draw);
+  new SmokePass(gpu, false).render(world, new Float32Array(16), {} as Draw, tip);
   return moved as readonly number[];
 }
 
@@ -47,11 +46,11 @@ test.each([60, 75, 144])("smoke begins at the wick that is drawn, at %d Hz", (ra
     let most = 0;
     for (let frame = 0; frame < rate / 2; frame++) {
       advance(world, intent, 1 / rate);
-      const { flame } = world.interpolated;
+      const { root, tip } = carriedWick(world);
       const moved = movedIn(world);
-      const [first] = [...smokeSpheres(world)].map((spheres) => [...spheres][0]);
+      const [first] = [...smokeSpheres(world, tip)].map((spheres) => [...spheres][0]);
       for (const axis of [0, 1, 2] as const) {
-        expect(first?.[axis], `frame ${frame}`).toBeCloseTo(flame[axis] + END[axis], 6);
+        expect(first?.[axis], `frame ${frame}`).toBeCloseTo(root[axis] + tip[axis], 6);
       }
       most = Math.max(most, Math.hypot(...moved));
     }
@@ -59,10 +58,14 @@ test.each([60, 75, 144])("smoke begins at the wick that is drawn, at %d Hz", (ra
   }
 });
 
-test("smoke of a wick at rest stays as it is, and of one that was put elsewhere, behind", () => {
+test("smoke of a wick at rest begins at its tip, and of one that was put elsewhere, stays behind", () => {
   const world = smoking();
   advance(world, STILL, 1 / 60);
-  expect(movedIn(world)).toEqual([0, 0, 0]);
+  const fromAir = movedIn(world);
+  const { tip } = carriedWick(world);
+  expect(Math.hypot(tip[0], tip[2]), "the taper's wick leans").toBeGreaterThan(0.002);
+  expect(fromAir).toEqual([tip[0], tip[1] - WICK_END, tip[2]]);
+  expect(movedIn(world, UPRIGHT_TIP)).toEqual([0, UPRIGHT_TIP[1] - WICK_END, 0]);
   moveCamera(world, [3, 1.6, 0], 0, 0);
-  expect(movedIn(world)).toEqual([0, 0, 0]);
+  expect(movedIn(world)).toEqual(fromAir);
 });
