@@ -16,7 +16,7 @@ const vec3 BLUE = vec3(0.25, 1.3, 0.08);
 // Blue of soot as a share of its red, reached from this ratio of green to red on: src/light/color.ts.
 const float SOOT_BLUE = 0.004;
 const float WARM_GREEN = 0.2;
-const float WICK_RADIUS = 0.0009;  // m
+const float WICK_RADIUS = 0.00105;  // m
 
 // What the body covers of a pixel's width, and half of that width, m.
 float covered = 0.0;
@@ -68,19 +68,27 @@ vec2 intersectSpheres(vec3 eye, vec3 direction) {
   return span;
 }
 
-// Distance to the wick, a straight cylinder from the foot; 1e9 if the ray misses it.
-float intersectWick(vec3 eye, vec3 direction) {
-  float squared = dot(flame.wick, flame.wick);
-  float d = dot(direction, flame.wick);
-  float e = dot(eye, flame.wick);
+// Distance to a cylinder around a piece of the wick, which overlaps with the next; 1e9 if the ray misses it.
+float intersectPiece(vec3 eye, vec3 direction, vec3 piece) {
+  float squared = dot(piece, piece);
+  float d = dot(direction, piece);
+  float e = dot(eye, piece);
   float a = squared - d * d;
   float b = squared * dot(eye, direction) - e * d;
   float c = squared * (dot(eye, eye) - WICK_RADIUS * WICK_RADIUS) - e * e;
   float h = b * b - a * c;
   if (h < 0.0 || a <= 0.0) return 1e9;
   float distance = (-b - sqrt(h)) / a;
-  float height = e + distance * d;
-  return height > 0.0 && height < squared ? distance : 1e9;
+  return abs((e + distance * d) / squared - 0.5) < 0.6 ? distance : 1e9;
+}
+
+float intersectWick(vec3 eye, vec3 direction) {
+  float nearest = 1e9;
+  for (int i = 0; i < WICK_NODES - 1; i++) {
+    vec3 node = flame.wick[i].xyz;
+    nearest = min(nearest, intersectPiece(eye - node, direction, flame.wick[i + 1].xyz - node));
+  }
+  return nearest;
 }
 
 void main() {

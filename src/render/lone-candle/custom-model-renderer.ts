@@ -15,7 +15,8 @@ import { type Mesh, plainTextures, surfaceSampling, uploadModel } from "../mesh/
 import type { Tier } from "../quality.js";
 import { MeshCasters } from "../shadow/shadow-casters.js";
 import { ShadowPass, shadowAtlas } from "../shadow/shadow-pass.js";
-import { FlamePass, standingWick, UPRIGHT_TIP } from "../volumetric/flame-pass.js";
+import { type BurningWick, FlamePass } from "../volumetric/flame-pass.js";
+import { wickShape } from "../volumetric/wick-shape.js";
 import type { DrawInLight } from "./cached-surfaces.js";
 import { boundsWithFlames, frameBox } from "./custom-framing.js";
 import { FlameLights, shadowOrigin } from "./flame-lights.js";
@@ -24,7 +25,6 @@ import { BOUNCE_LIGHT, STUDIO_LIGHT } from "./light-groups.js";
 import { LightMeter, MOST_EXPOSURE } from "./light-meter.js";
 import { type LoneCamera, LoneRenderer, type SmokePassOf } from "./lone-renderer.js";
 import { SummedSurfaces } from "./summed-surfaces.js";
-import { wickEnd } from "./wick-end.js";
 
 /** Share of the hemisphere that the model itself fills, as seen from its points. */
 const BOUNCE = 0.1;
@@ -80,7 +80,7 @@ interface Surface {
 
 /** What a frame is drawn by. */
 interface View {
-  readonly rooted: readonly RootedFlame[];
+  readonly rooted: readonly BurningWick[];
   readonly camera: LoneCamera;
   readonly magnification: number;
   /** Luminance of the model's middle tones, cd/m². */
@@ -140,7 +140,7 @@ export class CustomModelRenderer extends LoneRenderer {
     this.#resources = made;
     this.#release = release;
     const wickParts = made.meshes.filter(({ isWick }) => isWick).map(({ part }) => part);
-    this.#lights = new FlameLights(wicks.map(({ position }) => wickEnd(position, wickParts)));
+    this.#lights = new FlameLights(wicks.map(({ position }) => wickShape(position, wickParts)));
     const surfaces = made.meshes.map(surfaceOf);
     if (surfaces.some(({ isTransmissive }) => isTransmissive)) this.#programOf({});
     this.#clear = surfaces.filter(({ isClear }) => isClear);
@@ -204,10 +204,9 @@ export class CustomModelRenderer extends LoneRenderer {
     this.#hasDepth = summed !== null;
     const test = { isDepthKept: this.#hasDepth };
     if (features.candle) this.#drawSurfaces(this.#wicks, target, light, test);
-    for (const one of features.volume ? rooted : []) {
-      flame.render(target, frame, standingWick(one), this.tier.physical.flameSteps);
-    }
-    if (features.smoke) this.drawSmoke(world, drawn, frame, light.environment, UPRIGHT_TIP);
+    const { flameSteps } = this.tier.physical;
+    for (const one of features.volume ? rooted : []) flame.render(target, frame, one, flameSteps);
+    if (features.smoke) this.drawSmoke(world, drawn, frame, light.environment, rooted[0]!);
     if (features.candle) this.#drawSurfaces(this.#clear, target, light);
     this.#display(view, summed);
     this.#lastSum = summed && { world, settings };
@@ -249,7 +248,8 @@ export class CustomModelRenderer extends LoneRenderer {
   #viewOf(world: World): View {
     this.#frameFlames(world.flame);
     const { magnification, ...camera } = frameBox(this.#bounds, this.aspect);
-    const rooted: readonly RootedFlame[] = [carriedFlame(world), ...world.standing];
+    const flames: readonly RootedFlame[] = [carriedFlame(world), ...world.standing];
+    const rooted = flames.map((one, i) => ({ ...one, ...this.#lights.wicks[i]! }));
     const { key, exposure } = this.#meter.measure(rooted);
     for (const [i, pass] of this.#resources.shadows.entries()) {
       finish(pass.update(this.#casters, shadowOrigin(rooted[i]!)));

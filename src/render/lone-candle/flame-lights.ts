@@ -9,6 +9,7 @@ import {
 import { flameRadius, fullHeight, heightInTapers } from "../../world/flame/burning.js";
 import type { Flame } from "../../world/flame/flame.js";
 import type { Vec3 } from "../../world/geometry.js";
+import type { WickShape } from "../volumetric/wick-shape.js";
 import { glareOf } from "./glare.js";
 
 /** Most flames of the shaders' `Flames` block. */
@@ -40,11 +41,11 @@ export class FlameLights {
     "embers[0]": vectors(),
     "glares[0]": vectors(),
   };
-  readonly #wickEnds: readonly number[];
+  readonly wicks: readonly WickShape[];
 
-  /** @param wickEnds heights of the wicks' ends above the flames' roots, metres; needed where wicks are drawn */
-  constructor(wickEnds: readonly number[] = []) {
-    this.#wickEnds = wickEnds;
+  /** @param wicks needed where they are drawn */
+  constructor(wicks: readonly WickShape[] = []) {
+    this.wicks = wicks;
   }
 
   /**
@@ -66,7 +67,7 @@ export class FlameLights {
       const light = flameLight(rooted, TAPER, emberFactor);
       this.#setLight(i, rooted, light, hasShadows ? i : -1);
       all["embers[0]"].set(emberRadiance(rooted.flame.ember, emberFactor), at);
-      all["embers[0]"][at + 3] = this.#wickEnds[i] ?? 0;
+      all["embers[0]"][at + 3] = this.wicks[i]?.end ?? 0;
       all["glares[0]"].set(glareOf(light, clip, glare), at);
     }
     return { ...all, count: flames.length };

@@ -18,6 +18,7 @@ import type { Size } from "../frame-input.js";
 import type { FrameSettings } from "../frame-settings.js";
 import type { Tier } from "../quality.js";
 import type { Renderer } from "../renderer.js";
+import type { BurningWick } from "../volumetric/flame-pass.js";
 import type { SmokePass } from "../volumetric/smoke-pass.js";
 
 /** Vision of an eye that is adapted to candlelight. */
@@ -127,10 +128,10 @@ export abstract class LoneRenderer implements Renderer {
     { target, clip }: LoneFrame,
     frame: UniformBlock,
     uEnvironment: readonly number[],
-    tip: Readonly<Vec3>,
+    wick: Pick<BurningWick, "nodes">,
   ): void {
     const draw = { target, uniforms: { uEnvironment }, blocks: { Frame: frame } };
-    this.#smokePass(this.gpu)?.render(world, clip, draw, tip);
+    this.#smokePass(this.gpu)?.render(world, clip, draw, wick);
   }
 
   /**

@@ -18,16 +18,21 @@ import type { World } from "../../world/world.js";
 export type FlamePart = "all" | "soot" | "blue";
 
 export interface BurningWick extends RootedFlame {
-  /** Tip of the wick from the flame's root, metres. */
-  readonly tip: Readonly<Vec3>;
+  /** Nodes of its centre line from the flame's root, the lowest first, metres. */
+  readonly nodes: readonly Readonly<Vec3>[];
 }
 
 /** Yaw of the candlestick: its handle, along +X in the model, points to the visitor's right hand. */
 export const HANDLE_TURN = -1.1;
-/** Tip of the wick from the foot of the flame, in the model's frame, m. */
-const WICK_TIP = [0.0026, 0.0067, 0.0003] as const;
-/** The same of upright wicks. */
-export const UPRIGHT_TIP: Readonly<Vec3> = [0, WICK_TIP[1], 0];
+/** The taper's wick from the foot of the flame, in the model's frame, metres: a test holds it to the model. */
+export const TAPER_NODES = [
+  [-0.001, -0.0002, -0.0003],
+  [-0.0007, 0.0022, -0.0002],
+  [0.0006, 0.0049, 0.0001],
+  [0.0025, 0.0061, 0.0003],
+] as const;
+/** A wick of which nothing is known, as high. */
+export const UPRIGHT = TAPER_NODES.map(([, y]) => [0, y, 0] as const);
 /** Vertices of the hull: six sides of two triangles between rings around the spheres and both ends. */
 const HULL_VERTICES = (BALLS + 1) * 6 * 6;
 
@@ -78,7 +83,7 @@ export class FlamePass {
   render(
     target: RenderTarget | TextureView,
     frame: UniformBlock,
-    { root, flame, tip }: BurningWick,
+    { root, flame, nodes }: BurningWick,
     steps: number,
     part: FlamePart = "all",
     leastRadius?: number,
@@ -88,7 +93,6 @@ export class FlamePass {
     this.#flame.update({
       base: root,
       steps,
-      wick: tip,
       tip: shape.tip,
       extent: shape.length,
       radius: shape.radius,
@@ -97,6 +101,7 @@ export class FlamePass {
       "nodes[0]": shape.nodes,
       "necks[0]": shape.necks,
       "spheres[0]": shape.balls,
+      "wick[0]": nodes.flatMap((node) => [...node, 0]),
     });
     this.#gpu.draw({
       program: this.#program,
@@ -112,13 +117,8 @@ export class FlamePass {
 
 /** The carried candle's flame; its wick turns with the candle. */
 export function carriedWick(world: World): BurningWick {
-  const [x, y, z] = WICK_TIP;
   const sin = Math.sin(world.interpolated.candleYaw + HANDLE_TURN);
   const cos = Math.cos(world.interpolated.candleYaw + HANDLE_TURN);
-  return { ...carriedFlame(world), tip: [cos * x + sin * z, y, cos * z - sin * x] };
-}
-
-/** The flame of a standing candle, whose wick is upright. */
-export function standingWick({ root, flame }: RootedFlame): BurningWick {
-  return { root, flame, tip: UPRIGHT_TIP };
+  const nodes = TAPER_NODES.map(([x, y, z]): Vec3 => [cos * x + sin * z, y, cos * z - sin * x]);
+  return { ...carriedFlame(world), nodes };
 }

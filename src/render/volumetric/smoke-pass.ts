@@ -12,6 +12,7 @@ import { LINES, ROWS, SMOKE_FLOATS, type Smoke } from "../../world/particles/smo
 import type { World } from "../../world/world.js";
 import { FlameLights, MOST_FLAMES } from "../lone-candle/flame-lights.js";
 import type { Sphere } from "../screen-bounds.js";
+import type { BurningWick } from "./flame-pass.js";
 import { FAINT, LEAST_SINE, MOST_SECTIONS, opticalDepth, setSections } from "./smoke-sections.js";
 
 /** Most half width of a ribbon, in standard deviations. */
@@ -73,9 +74,9 @@ export class SmokePass {
     });
   }
 
-  /** @param tip of the first candle's wick, from the flame's root, metres; others are upright, and end as high */
-  render(world: World, clip: mat4, draw: SmokeDraw, tip: Readonly<Vec3>): void {
-    const smokes = [...visibleSmokes(world, tip)];
+  /** @param wick the first candle's; others are taken for upright, and end as high */
+  render(world: World, clip: mat4, draw: SmokeDraw, { nodes }: Pick<BurningWick, "nodes">): void {
+    const smokes = [...visibleSmokes(world, nodes)];
     if (smokes.length === 0) return;
     const flames = [...(this.#isAlone ? [carriedFlame(world)] : []), ...world.standing];
     const burning = flames.filter(({ flame }) => flame.glow > 0).slice(0, MOST_FLAMES);
@@ -130,18 +131,22 @@ interface VisibleSmoke {
   readonly moved: Vec3;
 }
 
-function* visibleSmokes(world: World, first: Readonly<Vec3>): Generator<VisibleSmoke> {
+function* visibleSmokes(world: World, wick: BurningWick["nodes"]): Generator<VisibleSmoke> {
+  const end = wick.at(-1)!;
   for (const [index, { plume }] of [world, ...world.standing].entries()) {
     const root = rootedFlame(world, index)?.root;
     if (!root || !plume || plume.smoke.count < 2) continue;
     const [x, y, z] = plume.wayTo(root);
-    const tip = index === 0 ? first : ([0, first[1], 0] as const);
+    const tip = index === 0 ? end : ([0, end[1], 0] as const);
     yield { smoke: plume.smoke, moved: [x + tip[0], y + tip[1] - WICK_END, z + tip[2]] };
   }
 }
 
-export function* smokeSpheres(world: World, tip: Readonly<Vec3>): Generator<Iterable<Sphere>> {
-  for (const smoke of visibleSmokes(world, tip)) yield spheresOf(smoke);
+export function* smokeSpheres(
+  world: World,
+  { nodes }: Pick<BurningWick, "nodes">,
+): Generator<Iterable<Sphere>> {
+  for (const smoke of visibleSmokes(world, nodes)) yield spheresOf(smoke);
 }
 
 /** One for each row of parcels that is seen, or next to one that is. */

@@ -19,11 +19,12 @@ import type { FrameBlocks } from "../opaque/opaque-stage.js";
 import type { PhysicalTier } from "../quality.js";
 import { mergeOverlapping, pixelSize, type Sphere, screenBounds } from "../screen-bounds.js";
 import { RIM } from "../standing-candle-captures.js";
-import { carriedWick, type FlamePart, FlamePass, standingWick } from "./flame-pass.js";
+import { type BurningWick, carriedWick, type FlamePart, FlamePass } from "./flame-pass.js";
 import { HazePass, type HotAir } from "./haze-pass.js";
 import { MotesPass } from "./motes-pass.js";
 import { SmokePass, smokeSpheres } from "./smoke-pass.js";
 import type { CompositedFrame } from "./volumetric-target.js";
+import { wickShape } from "./wick-shape.js";
 
 /** Pixels around the flame that bloom and upsampling read. */
 const MARGIN = 3;
@@ -52,6 +53,9 @@ export class VolumetricStage {
   readonly #shape = createShape();
 
   /** @param format of the radiance */
+  /** Of the standing candles, by the roots of their flames. */
+  readonly #shapes = new WeakMap<Readonly<Vec3>, Pick<BurningWick, "nodes">>();
+
   constructor(
     gpu: Gpu,
     candle: readonly Mesh[],
@@ -106,7 +110,10 @@ export class VolumetricStage {
     if (inspect === "normals") return;
     if (!part) this.#drawEmbers(frame, composited);
     if (features.volume) {
-      for (const wick of [carriedWick(world), ...world.standing.map(standingWick)]) {
+      for (const wick of [
+        carriedWick(world),
+        ...world.standing.map((one) => this.#standingWick(one)),
+      ]) {
         const leastRadius = LEAST_RADIUS * pixelSize(wick.root, clipFromWorld, tested);
         const { flameSteps } = this.#quality;
         this.#flame.render(tested, Frame, wick, flameSteps, part ?? "all", leastRadius);
@@ -133,11 +140,19 @@ export class VolumetricStage {
         uniforms: { uMoonlight: moonlight },
         blocks: { Frame, Light, Volume: irradiance.block },
       };
-      this.#smoke.render(world, clipFromWorld, draw, carriedWick(world).tip);
+      this.#smoke.render(world, clipFromWorld, draw, carriedWick(world));
     }
     if (features.sparks && !isStill) {
       this.#motes?.render("spark", composited, world, Frame, Light, irradiance, moonlight);
     }
+  }
+
+  #standingWick(rooted: RootedFlame): BurningWick {
+    const { root } = rooted;
+    const parts = this.#models.room.map(({ part }) => part);
+    const { nodes } = this.#shapes.get(root) ?? wickShape(root, parts);
+    this.#shapes.set(root, { nodes });
+    return { ...rooted, nodes };
   }
 
   #drawEmbers({ world, settings, candlePlacement }: FrameInput, composited: CompositedFrame): void {
@@ -208,7 +223,7 @@ export class VolumetricStage {
       else if (emberRadiance(candle.flame.ember)[0] >= FAINTEST_EMBER)
         yield [[x, y, z, EMBER_REACH]];
     }
-    if (world.plume && settings.features.smoke) yield* smokeSpheres(world, carriedWick(world).tip);
+    if (world.plume && settings.features.smoke) yield* smokeSpheres(world, carriedWick(world));
   }
 }
 

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Draw, Gpu } from "../../../../src/gl/gpu.ts";
-import { carriedWick, UPRIGHT_TIP } from "../../../../src/render/volumetric/flame-pass.ts";
+import { carriedWick, UPRIGHT } from "../../../../src/render/volumetric/flame-pass.ts";
 import { SmokePass, smokeSpheres } from "../../../../src/render/volumetric/smoke-pass.ts";
 import { advance } from "../../../../src/world/advance.ts";
 import { createPlume, WICK_END } from "../../../../src/world/air/plume.ts";
@@ -24,7 +24,7 @@ function smoking(): World {
 }
 
 /** The uniform that moves the youngest parcels in a frame. */
-function movedIn(world: World, tip = carriedWick(world).tip): readonly number[] {
+function movedIn(world: World, nodes = carriedWick(world).nodes): readonly number[] {
   let moved: unknown;
   const gpu = {
     program: () => ({}),
@@ -36,7 +36,7 @@ function movedIn(world: World, tip = carriedWick(world).tip): readonly number[] 
       moved = uniforms?.uMoved;
     },
   } as unknown as Gpu;
-  new SmokePass(gpu, false).render(world, new Float32Array(16), {} as Draw, tip);
+  new SmokePass(gpu, false).render(world, new Float32Array(16), {} as Draw, { nodes });
   return moved as readonly number[];
 }
 
@@ -46,9 +46,10 @@ test.each([60, 75, 144])("smoke begins at the wick that is drawn, at %d Hz", (ra
     let most = 0;
     for (let frame = 0; frame < rate / 2; frame++) {
       advance(world, intent, 1 / rate);
-      const { root, tip } = carriedWick(world);
+      const { root, nodes } = carriedWick(world);
+      const tip = nodes.at(-1)!;
       const moved = movedIn(world);
-      const [first] = [...smokeSpheres(world, tip)].map((spheres) => [...spheres][0]);
+      const [first] = [...smokeSpheres(world, { nodes })].map((spheres) => [...spheres][0]);
       for (const axis of [0, 1, 2] as const) {
         expect(first?.[axis], `frame ${frame}`).toBeCloseTo(root[axis] + tip[axis], 6);
       }
@@ -62,10 +63,10 @@ test("smoke of a wick at rest begins at its tip, and of one that was put elsewhe
   const world = smoking();
   advance(world, STILL, 1 / 60);
   const fromAir = movedIn(world);
-  const { tip } = carriedWick(world);
+  const tip = carriedWick(world).nodes.at(-1)!;
   expect(Math.hypot(tip[0], tip[2]), "the taper's wick leans").toBeGreaterThan(0.002);
   expect(fromAir).toEqual([tip[0], tip[1] - WICK_END, tip[2]]);
-  expect(movedIn(world, UPRIGHT_TIP)).toEqual([0, UPRIGHT_TIP[1] - WICK_END, 0]);
+  expect(movedIn(world, UPRIGHT)).toEqual([0, tip[1] - WICK_END, 0]);
   moveCamera(world, [3, 1.6, 0], 0, 0);
   expect(movedIn(world)).toEqual(fromAir);
 });
