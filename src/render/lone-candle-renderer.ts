@@ -70,7 +70,7 @@ export class LoneCandleRenderer extends LoneRenderer {
     if (features.volume) {
       flame.render(drawn.target, frame, wick, this.tier.physical.flameSteps);
     }
-    if (features.smoke) this.drawSmoke(world, drawn, frame, TAPER.color, wick);
+    if (features.smoke) this.drawSmoke(world, drawn, frame, TAPER.color, [wick]);
     const glare = glareOf(
       flameLight(carriedFlame(world), TAPER, EMBER),
       drawn.clip,

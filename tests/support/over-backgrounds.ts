@@ -202,7 +202,7 @@ export function mixtures(seed: number, seconds: number) {
         textures: { uDepth: depth, ...volume.textures },
         blocks: { Frame: frame, Light: light, Volume: volume.block },
       },
-      carriedWick(world),
+      [carriedWick(world)],
     ),
   );
   gpu.dispose();

@@ -206,7 +206,7 @@ export class CustomModelRenderer extends LoneRenderer {
     if (features.candle) this.#drawSurfaces(this.#wicks, target, light, test);
     const { flameSteps } = this.tier.physical;
     for (const one of features.volume ? rooted : []) flame.render(target, frame, one, flameSteps);
-    if (features.smoke) this.drawSmoke(world, drawn, frame, light.environment, rooted[0]!);
+    if (features.smoke) this.drawSmoke(world, drawn, frame, light.environment, rooted);
     if (features.candle) this.#drawSurfaces(this.#clear, target, light);
     this.#display(view, summed);
     this.#lastSum = summed && { world, settings };

@@ -128,10 +128,10 @@ export abstract class LoneRenderer implements Renderer {
     { target, clip }: LoneFrame,
     frame: UniformBlock,
     uEnvironment: readonly number[],
-    wick: Pick<BurningWick, "nodes">,
+    wicks: readonly BurningWick[],
   ): void {
     const draw = { target, uniforms: { uEnvironment }, blocks: { Frame: frame } };
-    this.#smokePass(this.gpu)?.render(world, clip, draw, wick);
+    this.#smokePass(this.gpu)?.render(world, clip, draw, wicks);
   }
 
   /**

@@ -26,6 +26,9 @@ const LED_ROWS = 8;
 /** Light of the place that smoke scatters, beside that of standing flames, and what it is drawn with. */
 type SmokeDraw = Pick<Draw, "target" | "textures" | "uniforms" | "blocks">;
 
+/** Of all candles, the carried one's first. */
+type Wicks = readonly Pick<BurningWick, "nodes">[];
+
 /** Smoke of the wicks: streaklines of droplets that scatter the light around. */
 export class SmokePass {
   readonly #gpu: Gpu;
@@ -74,9 +77,9 @@ export class SmokePass {
     });
   }
 
-  /** @param wick the first candle's; others are taken for upright, and end as high */
-  render(world: World, clip: mat4, draw: SmokeDraw, { nodes }: Pick<BurningWick, "nodes">): void {
-    const smokes = [...visibleSmokes(world, nodes)];
+  /** @param wicks of all candles */
+  render(world: World, clip: mat4, draw: SmokeDraw, wicks: Wicks): void {
+    const smokes = [...visibleSmokes(world, wicks)];
     if (smokes.length === 0) return;
     const flames = [...(this.#isAlone ? [carriedFlame(world)] : []), ...world.standing];
     const burning = flames.filter(({ flame }) => flame.glow > 0).slice(0, MOST_FLAMES);
@@ -131,22 +134,18 @@ interface VisibleSmoke {
   readonly moved: Vec3;
 }
 
-function* visibleSmokes(world: World, wick: BurningWick["nodes"]): Generator<VisibleSmoke> {
-  const end = wick.at(-1)!;
+function* visibleSmokes(world: World, wicks: Wicks): Generator<VisibleSmoke> {
   for (const [index, { plume }] of [world, ...world.standing].entries()) {
     const root = rootedFlame(world, index)?.root;
     if (!root || !plume || plume.smoke.count < 2) continue;
     const [x, y, z] = plume.wayTo(root);
-    const tip = index === 0 ? end : ([0, end[1], 0] as const);
+    const tip = wicks[index]!.nodes.at(-1)!;
     yield { smoke: plume.smoke, moved: [x + tip[0], y + tip[1] - WICK_END, z + tip[2]] };
   }
 }
 
-export function* smokeSpheres(
-  world: World,
-  { nodes }: Pick<BurningWick, "nodes">,
-): Generator<Iterable<Sphere>> {
-  for (const smoke of visibleSmokes(world, nodes)) yield spheresOf(smoke);
+export function* smokeSpheres(world: World, wicks: Wicks): Generator<Iterable<Sphere>> {
+  for (const smoke of visibleSmokes(world, wicks)) yield spheresOf(smoke);
 }
 
 /** One for each row of parcels that is seen, or next to one that is. */

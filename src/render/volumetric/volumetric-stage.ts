@@ -110,10 +110,7 @@ export class VolumetricStage {
     if (inspect === "normals") return;
     if (!part) this.#drawEmbers(frame, composited);
     if (features.volume) {
-      for (const wick of [
-        carriedWick(world),
-        ...world.standing.map((one) => this.#standingWick(one)),
-      ]) {
+      for (const wick of this.#wicks(world)) {
         const leastRadius = LEAST_RADIUS * pixelSize(wick.root, clipFromWorld, tested);
         const { flameSteps } = this.#quality;
         this.#flame.render(tested, Frame, wick, flameSteps, part ?? "all", leastRadius);
@@ -140,19 +137,22 @@ export class VolumetricStage {
         uniforms: { uMoonlight: moonlight },
         blocks: { Frame, Light, Volume: irradiance.block },
       };
-      this.#smoke.render(world, clipFromWorld, draw, carriedWick(world));
+      this.#smoke.render(world, clipFromWorld, draw, this.#wicks(world));
     }
     if (features.sparks && !isStill) {
       this.#motes?.render("spark", composited, world, Frame, Light, irradiance, moonlight);
     }
   }
 
-  #standingWick(rooted: RootedFlame): BurningWick {
-    const { root } = rooted;
+  /** Of all candles, the carried one's first. */
+  #wicks(world: World): readonly BurningWick[] {
     const parts = this.#models.room.map(({ part }) => part);
-    const { nodes } = this.#shapes.get(root) ?? wickShape(root, parts);
-    this.#shapes.set(root, { nodes });
-    return { ...rooted, nodes };
+    const standing = world.standing.map(({ root, flame }) => {
+      const { nodes } = this.#shapes.get(root) ?? wickShape(root, parts);
+      this.#shapes.set(root, { nodes });
+      return { root, flame, nodes };
+    });
+    return [carriedWick(world), ...standing];
   }
 
   #drawEmbers({ world, settings, candlePlacement }: FrameInput, composited: CompositedFrame): void {
@@ -223,7 +223,7 @@ export class VolumetricStage {
       else if (emberRadiance(candle.flame.ember)[0] >= FAINTEST_EMBER)
         yield [[x, y, z, EMBER_REACH]];
     }
-    if (world.plume && settings.features.smoke) yield* smokeSpheres(world, carriedWick(world));
+    if (world.plume && settings.features.smoke) yield* smokeSpheres(world, this.#wicks(world));
   }
 }
 

@@ -36,7 +36,7 @@ function movedIn(world: World, nodes = carriedWick(world).nodes): readonly numbe
       moved = uniforms?.uMoved;
     },
   } as unknown as Gpu;
-  new SmokePass(gpu, false).render(world, new Float32Array(16), {} as Draw, { nodes });
+  new SmokePass(gpu, false).render(world, new Float32Array(16), {} as Draw, [{ nodes }]);
   return moved as readonly number[];
 }
 
@@ -49,7 +49,7 @@ test.each([60, 75, 144])("smoke begins at the wick that is drawn, at %d Hz", (ra
       const { root, nodes } = carriedWick(world);
       const tip = nodes.at(-1)!;
       const moved = movedIn(world);
-      const [first] = [...smokeSpheres(world, { nodes })].map((spheres) => [...spheres][0]);
+      const [first] = [...smokeSpheres(world, [{ nodes }])].map((spheres) => [...spheres][0]);
       for (const axis of [0, 1, 2] as const) {
         expect(first?.[axis], `frame ${frame}`).toBeCloseTo(root[axis] + tip[axis], 6);
       }
