@@ -24,7 +24,7 @@ import { HazePass, type HotAir } from "./haze-pass.js";
 import { MotesPass } from "./motes-pass.js";
 import { SmokePass, smokeSpheres } from "./smoke-pass.js";
 import type { CompositedFrame } from "./volumetric-target.js";
-import { wickShape } from "./wick-shape.js";
+import { type WickShape, wickShape } from "./wick-shape.js";
 
 /** Pixels around the flame that bloom and upsampling read. */
 const MARGIN = 3;
@@ -52,10 +52,10 @@ export class VolumetricStage {
   readonly #motes: MotesPass | null;
   readonly #shape = createShape();
 
-  /** @param format of the radiance */
   /** Of the standing candles, by the roots of their flames. */
-  readonly #shapes = new WeakMap<Readonly<Vec3>, Pick<BurningWick, "nodes">>();
+  readonly #shapes = new WeakMap<Readonly<Vec3>, WickShape>();
 
+  /** @param format of the radiance */
   constructor(
     gpu: Gpu,
     candle: readonly Mesh[],
@@ -148,9 +148,9 @@ export class VolumetricStage {
   #wicks(world: World): readonly BurningWick[] {
     const parts = this.#models.room.map(({ part }) => part);
     const standing = world.standing.map(({ root, flame }) => {
-      const { nodes } = this.#shapes.get(root) ?? wickShape(root, parts);
-      this.#shapes.set(root, { nodes });
-      return { root, flame, nodes };
+      const shape = this.#shapes.get(root) ?? wickShape(root, parts);
+      this.#shapes.set(root, shape);
+      return { root, flame, ...shape };
     });
     return [carriedWick(world), ...standing];
   }

@@ -22,14 +22,16 @@ export function wickShape(
   wicks: readonly Pick<Part, "positions">[],
 ): WickShape {
   const vertices: Vec3[] = [];
+  let end = 0;
   for (const { positions } of wicks) {
     for (let at = 0; at < positions.length; at += 3) {
       const from: Vec3 = [positions[at]! - x, positions[at + 1]! - y, positions[at + 2]! - z];
       const isNear = from[1] > 0 && from[1] <= HIGHEST && Math.hypot(from[0], from[2]) < REACH;
-      if (isNear) vertices.push(from);
+      if (!isNear) continue;
+      vertices.push(from);
+      end = Math.max(end, from[1]);
     }
   }
-  const end = Math.max(0, ...vertices.map(([, height]) => height));
   if (end === 0) return { end: DEFAULT, nodes: UPRIGHT };
   const nodes: Vec3[] = [];
   for (const i of UPRIGHT.keys()) {
