@@ -242,17 +242,25 @@ test.describe("npx candle-flame poster", () => {
         const all = ["bin/candle-flame.mjs", "poster", ...page, ...words];
         execFile(process.execPath, all, options, (_, out, errors) => resolve(out + errors));
       });
-    const out = `${FOLDER}/late.avif`;
-    const late = await take("/late", "--quality", "low", "--compression", "0", "--out", out);
-    expect(late).toMatch(/^\S*late\.avif: [\d.]+ kB/);
-    const failed = await take("/failed", "--selector", "#failed", "--out", out);
-    expect(failed).toMatch(/none.* could not be fetched/);
-    const other = await take("/shown", "--selector", "#shown", "--src", "/none.glb", "--out", out);
-    expect(other, "not what the page has shown before").toMatch(/none.* could not be fetched/);
-    expect(await take("/closed", "--out", out)).toMatch(/hides the .*candle-flame.*around it\.$/m);
-    const [plain, styled] = [`${FOLDER}/plain.png`, `${FOLDER}/styled.png`];
-    expect(await take("/plain", "--out", plain)).toMatch(/plain\.png: /);
-    expect(await take("/styled", "--out", styled)).toMatch(/styled\.png: /);
+    const [none, plain, styled] = ["none.avif", "plain.png", "styled.png"].map(
+      (file) => `${FOLDER}/${file}`,
+    ) as [string, string, string];
+    const late = ["--quality", "low", "--compression", "0", "--out", `${FOLDER}/late.avif`];
+    // Side by side: a browser is started for each.
+    const answers = await Promise.all([
+      take("/late", ...late),
+      take("/failed", "--selector", "#failed", "--out", none),
+      take("/shown", "--selector", "#shown", "--src", "/none.glb", "--out", none),
+      take("/closed", "--out", none),
+      take("/plain", "--out", plain),
+      take("/styled", "--out", styled),
+    ]);
+    expect(answers[0]).toMatch(/^\S*late\.avif: [\d.]+ kB/);
+    expect(answers[1]).toMatch(/none.* could not be fetched/);
+    expect(answers[2], "not what the page has shown before").toMatch(/none.* could not be fetched/);
+    expect(answers[3]).toMatch(/hides the .*candle-flame.*around it\.$/m);
+    expect(answers[4]).toMatch(/plain\.png: /);
+    expect(answers[5]).toMatch(/styled\.png: /);
     expect(readFileSync(styled), "of another box").toEqual(readFileSync(plain));
     server.close();
   });
