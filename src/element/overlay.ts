@@ -62,7 +62,7 @@ export class Overlay {
 
   showProgress(totalProgress: number): void {
     this.#progressSlot.hidden = false;
-    this.#progress.style.transform = `scaleX(${totalProgress})`;
+    this.#progress.style.inlineSize = `${100 * totalProgress}%`;
     this.#progress.classList.toggle("full", totalProgress === 1); // what comes next has no measure
   }
 

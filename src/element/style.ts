@@ -73,11 +73,10 @@ slot[name="poster"][hidden] {
 [hidden] { display: none !important; }
 [part="progress"] {
   position: absolute;
-  inset-inline: 0;
+  inset-inline-start: 0;
   inset-block-end: 0;
   block-size: var(--candle-flame-progress-height, 3px);
   background: var(--candle-flame-progress-color, #f0a54a);
-  transform-origin: left;
 }
 [part="hint"] {
   display: grid;

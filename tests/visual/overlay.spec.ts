@@ -172,3 +172,33 @@ test("Who has asked to enter before the first frame enters with it", async ({ pa
   expect(isEarly).toBe(true);
   await expect.poll(() => room.isWalking()).toBe(true);
 });
+
+test("The bar of progress fills from where the page's lines begin", async ({ page }) => {
+  const room = await new RoomDriver(page).open(CANDLE);
+  for (const dir of ["ltr", "rtl"] as const) {
+    const gaps = await room.evaluate(async (element, dir) => {
+      document.documentElement.dir = dir;
+      const bar = element.shadowRoot?.querySelector("[part=progress]");
+      const gaps: { before: number; after: number }[] = [];
+      element.addEventListener("progress", ({ detail: { totalProgress } }) => {
+        if (totalProgress === 0 || totalProgress === 1) return;
+        queueMicrotask(() => {
+          const [own, all] = [bar, element].map((one) => one?.getBoundingClientRect());
+          const left = (own?.left ?? 0) - (all?.left ?? 0);
+          const right = (all?.right ?? 0) - (own?.right ?? 0);
+          gaps.push(
+            dir === "ltr" ? { before: left, after: right } : { before: right, after: left },
+          );
+        });
+      });
+      element.src = dir === "ltr" ? "/models/jar.glb" : "/models/wreath.glb";
+      await element.ready;
+      return gaps;
+    }, dir);
+    expect(gaps.length, dir).toBeGreaterThan(0);
+    for (const { before, after } of gaps) {
+      expect(before, dir).toBeCloseTo(0, 1);
+      expect(after, dir).toBeGreaterThan(1);
+    }
+  }
+});
