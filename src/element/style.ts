@@ -116,8 +116,8 @@ kbd {
   [part="progress"].full { animation: wait 1.6s ease-in-out infinite alternate; }
 }
 @keyframes wait {
-  from { transform: scaleX(0.2); }
-  to { transform: translateX(80%) scaleX(0.2); }
+  from { transform: translateX(-40%) scaleX(0.2); }
+  to { transform: translateX(40%) scaleX(0.2); }
 }
 @keyframes hint {
   99% { scale: 1 }

@@ -202,3 +202,29 @@ test("The bar of progress fills from where the page's lines begin", async ({ pag
     }
   }
 });
+
+test("While loading has no measure a piece of the bar goes from one end to the other", async ({
+  page,
+}) => {
+  const room = await new RoomDriver(page).open(CANDLE);
+  const ends = await room.evaluate((element) => {
+    const slot = element.shadowRoot?.querySelector<HTMLElement>("slot[name=progress]");
+    const bar = element.shadowRoot?.querySelector<HTMLElement>("[part=progress]");
+    if (!slot || !bar) throw new Error("There is no bar.");
+    slot.hidden = false;
+    bar.style.inlineSize = "100%";
+    bar.classList.add("full");
+    const [animation] = bar.getAnimations();
+    if (!animation) throw new Error("It stands still.");
+    animation.pause();
+    const { left, width } = element.getBoundingClientRect();
+    return [0, 1599.9].map((time) => {
+      animation.currentTime = time;
+      const own = bar.getBoundingClientRect();
+      return [(own.left - left) / width, (own.right - left) / width];
+    });
+  });
+  for (const [i, end] of [0, 0.2, 0.8, 1].entries()) {
+    expect(ends.flat()[i]).toBeCloseTo(end, 2);
+  }
+});
