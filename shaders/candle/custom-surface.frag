@@ -32,8 +32,9 @@ out vec4 oRadiance;
 const vec3 PILLAR_DIFFUSION_LENGTH = vec3(0.014, 0.0105, 0.007);
 const vec3 WHITE_WAX = vec3(0.84, 0.78, 0.66);
 const float PILLAR_TRANSMITTANCE = 0.2;
-// Wax begins so far below the root of the flame, m.
+// Wax begins so far below the root of the flame, m, and its wall ends so far above that: higher wax is another candle's.
 const float RIM = 0.003;
+const float WALL_HEIGHT = 0.012;
 // Share by which coloured glass absorbs the complement of its colour.
 const float TINT = 0.6;
 
@@ -89,6 +90,7 @@ void main() {
   for (int i = 0; i < int(flames.count); i++) {
     light = flameLight(i);
     vec3 leaving = waxTransmission(vPositionWorld, diffusion, PILLAR_TRANSMITTANCE) * light.intensity / PI;
+    leaving *= exp(-max(vPositionWorld.y - light.rim - WALL_HEIGHT, 0.0) / diffusion);
     glow += baseColor.rgb * leaving * uWax + emberGlow(i, vPositionWorld) * uWick;
     vec3 toLight = light.position - vPositionWorld;
     float distanceSquared = max(dot(toLight, toLight), LEAST_DISTANCE * LEAST_DISTANCE);

@@ -44,6 +44,13 @@ const MODELS: Readonly<Record<string, Buffer>> = {
     [0, 0.05, 0.1, 0.15].map((z) => ({ at: [0, z], height: 0.09, radius: 0.01 })),
     0.2,
   ),
+  "custom-low-and-high.glb": candlePlate(
+    [
+      { at: [0, -0.05], height: 0.05, radius: 0.02 },
+      { at: [0, 0.02], height: 0.12, radius: 0.03 },
+    ],
+    0.1,
+  ),
   "custom-clear-vertices.glb": screenedWick(0, 1),
   "custom-clear-material.glb": screenedWick(1, 0),
   "no-wick.glb": plainRoom({ min: [0, 0, 0], max: [0.1, 0.1, 0.1] }, [], 0.5),
@@ -142,6 +149,26 @@ test("flames that go out leave light to the others, and wax glows below a burnin
   });
   expect(three).toBeLessThan(0.9 * (all ?? 0));
   expect(none).toBeLessThan(0.5 * (three ?? 0));
+});
+
+test("wax does not glow by the light on another candle's top", async () => {
+  await show("custom-low-and-high.glb");
+  const [glowing = 0, opaque = 0] = await room.evaluate((element) => {
+    // The lower one alone, behind the higher one.
+    element.candles[1]?.extinguish();
+    element.step(2);
+    return [true, false].map((translucency) => {
+      element.features.translucency = translucency;
+      element.step(0);
+      const { width, height } = element.stats;
+      return element
+        .readRadiance(width / 2 - 2, Math.round(0.4 * height), 4, 4)
+        .reduce((sum, value) => sum + value, 0);
+    });
+  });
+  console.log(`radiance with and without glow: ${glowing}, ${opaque}`);
+  expect(opaque).toBeGreaterThan(0);
+  expect(glowing / opaque).toBeLessThan(1.3);
 });
 
 test("the flame of a wide wick looks over the candle's rim onto the plate", async () => {

@@ -19,6 +19,8 @@ const CLEARANCE = 0.001;
 /** Mean diffusion length of wax, m, and the share of the light on its top that leaves below. */
 const DIFFUSION_LENGTH = 0.0105;
 const WAX_TRANSMITTANCE = 0.2;
+/** That of candle/custom-surface.frag, metres. */
+const WALL_HEIGHT = 0.012;
 
 interface Point {
   readonly position: Vec3;
@@ -88,7 +90,7 @@ function luminanceOf(
   const lit = isLit ? cosine / distance ** 2 : 0;
   const aside = (position[0] - x) ** 2 + (position[2] - z) ** 2;
   const onTop = height / (aside + height ** 2) ** 1.5;
-  const depth = Math.max(y - position[1], 0);
+  const depth = Math.max(y - position[1], position[1] - y - WALL_HEIGHT, 0);
   const glow = isWax ? WAX_TRANSMITTANCE * onTop * Math.exp(-depth / DIFFUSION_LENGTH) : 0;
   return (ALBEDO / Math.PI) * (lit + glow);
 }
