@@ -3,13 +3,15 @@
 // As in lib/pcss.glsl a texel is compared with the plane of the lit surface, in the direction of the texel's center.
 #include "lib/shadow-cube.glsl"
 
-// A caster less far before the plane is the plane: m, and as a share of the distance.
-const float BIAS = 0.0012;
-const float SLOPE = 0.006;
+// A caster less far before the plane is the plane: m, as a share of the distance, and as one of a tap's from the middle,
+// since in a concave edge the other face stands before the plane.
+const float BIAS = 0.0003;
+const float SLOPE = 0.003;
+const float CONE = 0.25;
 // Facets of a rounded surface stand before each other's planes by this height, m; in grazing light by more along the ray,
 // up to the second.
-const float RELIEF = 0.0004;
-const float MOST_RELIEF = 0.03;
+const float RELIEF = 0.0001;
+const float MOST_RELIEF = 0.006;
 // A plane seen edge on reaches no farther than this many times the distance of the point.
 const float STEEPEST = 1.1;
 // Blockers are searched for as if they were so far from the flame, m.
@@ -67,7 +69,7 @@ float flameVisibility(vec3 position, vec3 facet, vec2 pixel) {
     float angle = turn + GOLDEN_ANGLE * float(tap);
     vec2 place = vec2(cos(angle), sin(angle)) * sqrt((float(tap) + 0.5) / float(SEARCH_TAPS)) * width;
     ShadowTexel texel = shadowTexel(from + u * place.x + v * place.y);
-    if (texel.distance < planeDistance(texel.direction, from, facet, way) - bias) {
+    if (texel.distance < planeDistance(texel.direction, from, facet, way) - bias - CONE * length(place)) {
       sum += texel.distance;
       blockers += 1.0;
     }
@@ -81,7 +83,7 @@ float flameVisibility(vec3 position, vec3 facet, vec2 pixel) {
     float angle = turn + GOLDEN_ANGLE * float(tap);
     vec2 place = vec2(cos(angle), sin(angle)) * sqrt((float(tap) + 0.5) / float(SHADOW_TAPS)) * width;
     ShadowTexel texel = shadowTexel(from + u * place.x + v * place.y);
-    visible += step(planeDistance(texel.direction, from, facet, way) - bias, texel.distance);
+    visible += step(planeDistance(texel.direction, from, facet, way) - bias - CONE * length(place), texel.distance);
   }
   return visible / float(SHADOW_TAPS);
 }

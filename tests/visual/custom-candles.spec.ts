@@ -34,6 +34,26 @@ function screenedWick(ofVertices: number, ofMaterial: number): Buffer {
   return builder.glb();
 }
 
+/** A plate with a card of 2 cm, 1.3 mm above it at the right of its wick. */
+function cardOverPlate(): Buffer {
+  const builder = new GlbBuilder();
+  const material = builder.add("materials", { pbrMetallicRoughness: { metallicFactor: 0 } });
+  const level = ([left, right]: readonly [number, number], y: number, z: number) => ({
+    attributes: {
+      POSITION: builder.accessor(
+        Float32Array.of(left, y, z, right, y, z, right, y, -z, left, y, -z),
+        3,
+      ),
+    },
+    indices: builder.accessor(Uint16Array.of(0, 1, 2, 0, 2, 3), 1),
+    material,
+  });
+  const primitives = [level([-0.1, 0.1], 0, 0.1), level([0.05, 0.07], 0.0013, 0.02)];
+  builder.root({ mesh: builder.add("meshes", { primitives }) });
+  builder.root({ name: "wick", translation: [0, 0.03, 0] });
+  return builder.glb();
+}
+
 const MODELS: Readonly<Record<string, Buffer>> = {
   "custom-candle.glb": candlePlate([{ at: [0, 0], height: 0.09, radius: 0.03 }], 0.06),
   "custom-plate.glb": candlePlate([{ at: [0, 0], height: 0.09, radius: 0.03 }], 0.2),
@@ -44,6 +64,7 @@ const MODELS: Readonly<Record<string, Buffer>> = {
     [0, 0.05, 0.1, 0.15].map((z) => ({ at: [0, z], height: 0.09, radius: 0.01 })),
     0.2,
   ),
+  "custom-card.glb": cardOverPlate(),
   "custom-low-and-high.glb": candlePlate(
     [
       { at: [0, -0.05], height: 0.05, radius: 0.02 },
@@ -169,6 +190,24 @@ test("wax does not glow by the light on another candle's top", async () => {
   console.log(`radiance with and without glow: ${glowing}, ${opaque}`);
   expect(opaque).toBeGreaterThan(0);
   expect(glowing / opaque).toBeLessThan(1.3);
+});
+
+test("what lies 1.3 mm above a plate casts a shadow on it", async () => {
+  await show("custom-card.glb");
+  const shadowed = await room.evaluate((element) => {
+    element.step(0);
+    const { width } = element.stats;
+    // Around the card and its shadow, which lies at the right, and the same at the left.
+    const [top, rows, left, columns] = [174, 36, 318, 50];
+    const right = element.readRadiance(left, top, columns, rows);
+    const mirrored = element.readRadiance(width - left - columns, top, columns, rows);
+    return Array.from({ length: rows * columns }, (_, i) => {
+      const [x, y] = [i % columns, Math.floor(i / columns)];
+      return right[3 * i]! / mirrored[3 * (y * columns + columns - 1 - x)]!;
+    }).filter((share) => share < 0.5).length;
+  });
+  console.log(`pixels in shadow: ${shadowed}`);
+  expect(shadowed, "none with four times the bias").toBeGreaterThan(40);
 });
 
 test("the flame of a wide wick looks over the candle's rim onto the plate", async () => {

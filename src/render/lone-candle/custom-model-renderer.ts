@@ -36,8 +36,8 @@ const VIBRANCE = 0.4;
 const FLAME_STOPS = 15.5;
 /** Samples of a soft shadow of up to four flames, by tier; of more, each is a smaller part of the light. */
 const TAPS = { low: 8, medium: 16, high: 32, ultra: 48 } as const;
-/** Texels along an edge of a shadow cube, at the cheapest tier and at all others. */
-const CUBE = { low: 128, others: 256 } as const;
+/** Texels along an edge of a shadow cube: at the cheapest tier, and of up to four flames or more at others. */
+const CUBE = { low: 128, few: 512, many: 256 } as const;
 /** `SHADOW_NEAR` of candle/custom-surface.frag, metres. */
 const NEAR = 0.004;
 
@@ -132,7 +132,7 @@ export class CustomModelRenderer extends LoneRenderer {
     this.#surfaceProgram = this.#programOf({ SHADOW_TAPS: tapsOf(tier, wicks.length) });
     this.#displayProgram = gpu.pass("candle/custom-display", displayFrag);
     const isSummed = tier.name === "low";
-    const cube = isSummed ? CUBE.low : CUBE.others;
+    const cube = isSummed ? CUBE.low : wicks.length > 4 ? CUBE.many : CUBE.few;
     plainTextures(gpu); // outlive the model
     const { made, release } = gpu.scoped(() =>
       createResources(gpu, this.#surfaceProgram, model, wicks.length, cube),
@@ -268,11 +268,11 @@ export class CustomModelRenderer extends LoneRenderer {
 
   #drawInLight(light: number, target: RenderTarget, part: Box): void {
     const { view, features } = this.#current!;
-    const { alone } = this.#resources;
-    const flames = this.#summed!.groups.flamesOf(view.rooted)[light]!;
-    alone.update(this.#lights.atRest(view.rooted, flames, features.shadows));
+    const { alone: flames } = this.#resources;
+    const places = this.#summed!.groups.flamesOf(view.rooted)[light]!;
+    flames.update(this.#lights.atRest(view.rooted, places, features.shadows));
     const illumination = {
-      flames: alone,
+      flames,
       environment: light === STUDIO_LIGHT ? TAPER.color : NONE,
       bounce: light === BOUNCE_LIGHT ? TAPER.color : NONE,
       translucency: features.translucency,
