@@ -14,10 +14,8 @@ export class Controls {
   #candle: CandleFlame | null = null;
   /** Their code, as it was asked for since the attribute was set. */
   #fetching: Promise<void> | null = null;
-  /** So many times. */
-  #fetches = 0;
-  /** Whether the page enters once code and candle are there. */
-  #entersSoon = false;
+  /** What had the focus when the page entered, until code and candle are there. */
+  #entersFrom: Element | null = null;
 
   /** @param onMissing called when their code could not be fetched, until the signal aborts */
   constructor(
@@ -44,35 +42,34 @@ export class Controls {
     this.#candle = candle;
     if (!controls) {
       this.#fetching = null;
-      this.#entersSoon = false;
+      this.#entersFrom = null;
       candle.input?.dispose();
       candle.input = null;
     } else if (Input) {
       candle.input ??= new Input(this.#attributes, this.#canvas, onEntered);
       candle.input.sensitivity = sensitivity;
-      if (this.#entersSoon) this.enter();
-    } else {
-      this.#fetching ??= this.#fetch(candle, onEntered);
-    }
-  }
-
-  async #fetch(candle: CandleFlame, onEntered: OnEntered): Promise<void> {
-    const fetches = ++this.#fetches;
-    const isWanted = () =>
-      !this.#signal.aborted && this.#attributes.controls && fetches === this.#fetches;
-    try {
-      await fetchInput();
-      if (!isWanted()) return;
-      this.apply(candle, onEntered);
-    } catch (error) {
-      if (isWanted()) this.#onMissing(error as Error);
+      const from = this.#entersFrom;
+      this.#entersFrom = null;
+      // Unless the visitor has gone elsewhere. What had the focus may have been hidden since.
+      const { activeElement, body } = this.#canvas.ownerDocument;
+      if (from && (activeElement === from || activeElement === body)) this.enter();
+    } else if (!this.#fetching) {
+      const isWanted = () => this.#fetching === fetching && !this.#signal.aborted;
+      const fetching = fetchInput()
+        .then(() => {
+          if (isWanted()) this.apply(candle, onEntered);
+        })
+        .catch((error: Error) => {
+          if (isWanted()) this.#onMissing(error);
+        });
+      this.#fetching = fetching;
     }
   }
 
   /** Enters the room of a candle, at once or when it can be. */
   enter(): void {
     const input = this.#candle?.input;
-    this.#entersSoon = !input && this.#attributes.controls;
-    input?.enter();
+    if (input) input.enter();
+    else if (this.#attributes.controls) this.#entersFrom = this.#canvas.ownerDocument.activeElement;
   }
 }
