@@ -52,7 +52,8 @@ export class Controls {
       this.#entersFrom = null;
       // Unless the visitor has gone elsewhere. What had the focus may have been hidden since.
       const { activeElement, body } = this.#canvas.ownerDocument;
-      if (from && (activeElement === from || activeElement === body)) this.enter();
+      const here: (Element | null)[] = [from, body, this.#attributes];
+      if (from && here.includes(activeElement)) this.enter();
     } else if (!this.#fetching) {
       const isWanted = () => this.#fetching === fetching && !this.#signal.aborted;
       const fetching = fetchInput()

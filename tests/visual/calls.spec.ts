@@ -346,25 +346,29 @@ test("A lone candle has no code of controls before it is to have them", async ({
   await page.close();
 });
 
-test("A candle that is entered before its controls are there leaves the focus where the visitor puts it", async ({
-  browser,
-}) => {
-  const page = await browser.newPage();
-  const alone = await new RoomDriver(page).open({ scene: "candle", paused: "" });
-  const found = await alone.evaluate(async (element) => {
-    const field = document.createElement("input");
-    element.after(field);
-    element.controls = true;
-    element.enter();
-    field.focus();
-    const code = "/first-person-input.js";
-    await import(code);
-    await new Promise((resolve) => setTimeout(resolve));
-    return [element.matches(":state(walking)"), document.activeElement?.localName];
+for (const [focused, isIn] of [
+  ["input", false],
+  ["candle-flame", true],
+] as const) {
+  test(`A candle that is entered before its controls are there ${isIn ? "is, if the visitor goes to it" : "leaves the focus to a field"}`, async ({
+    browser,
+  }) => {
+    const page = await browser.newPage();
+    const alone = await new RoomDriver(page).open({ scene: "candle", paused: "" });
+    const found = await alone.evaluate(async (element, focused) => {
+      element.after(document.createElement("input"));
+      element.controls = true;
+      element.enter();
+      document.querySelector<HTMLElement>(focused)?.focus();
+      const code = "/first-person-input.js";
+      await import(code);
+      await new Promise((resolve) => setTimeout(resolve));
+      return [document.activeElement?.localName, element.matches(":state(walking)")];
+    }, focused);
+    expect(found).toEqual([focused, isIn]);
+    await page.close();
   });
-  expect(found).toEqual([false, "input"]);
-  await page.close();
-});
+}
 
 test("Another model alone has its own flames, whatever became of those before", async ({
   room,
