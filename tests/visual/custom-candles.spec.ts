@@ -174,11 +174,11 @@ test("flames that go out leave light to the others, and wax glows below a burnin
 
 test("wax does not glow by the light on another candle's top", async () => {
   await show("custom-low-and-high.glb");
-  const [glowing = 0, opaque = 0] = await room.evaluate((element) => {
+  const [opaque = 0, glowing = 0] = await room.evaluate((element) => {
     // The lower one alone, behind the higher one.
     element.candles[1]?.extinguish();
     element.step(2);
-    return [true, false].map((translucency) => {
+    return [false, true].map((translucency) => {
       element.features.translucency = translucency;
       element.step(0);
       const { width, height } = element.stats;
