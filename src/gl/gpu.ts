@@ -194,7 +194,6 @@ export class Gpu extends DrawCommands {
     return this.program(label, fullscreenVert, fragment, options);
   }
 
-  /** Before a draw that waits for one all are: some drivers compile side by side what was started. */
   #startPrograms(most = Infinity): void {
     for (const program of [...this.#unsent].slice(0, most)) {
       this.#unsent.delete(program);
@@ -224,9 +223,7 @@ export class Gpu extends DrawCommands {
   /** Waits for all programs. Throws if any is refused; each is refused once. */
   finishPrograms(): void {
     this.#startPrograms();
-    const refusals = [...this.#alive].map(
-      (object) => object instanceof Program && object.refusal(),
-    );
+    const refusals = Array.from(this.#alive, (o) => o instanceof Program && o.refusal());
     const refusal = refusals.find(Boolean);
     if (refusal) throw refusal;
   }
@@ -318,7 +315,7 @@ export class Gpu extends DrawCommands {
   }
 
   protected override beforeUse(program: Program): void {
-    if (this.#unsent.has(program)) this.#startPrograms();
+    this.#unsent.delete(program);
     this.used.add(program);
   }
 

@@ -143,16 +143,17 @@ export class Program extends GpuObject {
     };
   }
 
-  /** Has the driver compile and link it, unless that has begun. */
-  start(): void {
+  /** Has the driver compile and link it, unless that has begun. Returns whether it begins now. */
+  start(): boolean {
     const compile = this.#compile;
     this.#compile = null;
     if (compile) this.#stages = compile();
+    return compile !== null;
   }
 
-  /** Whether a query would not block. Starts it if need be. */
+  /** Whether a query would not block. Not before it is started. */
   get isCompiled(): boolean {
-    this.start();
+    if (this.#compile) return false;
     const parallel = this.gl.getExtension("KHR_parallel_shader_compile");
     if (this.#stages.length === 0 || !parallel || this.gl.isContextLost()) return true;
     const status = this.gl.getProgramParameter(this.#handle, parallel.COMPLETION_STATUS_KHR);

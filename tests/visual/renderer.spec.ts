@@ -109,3 +109,34 @@ test("A context that is cleared for another renderer keeps the programs that it 
   });
   expect(kept).toEqual({ count: 0, same: [true, false], left: 0 });
 });
+
+test("A draw compiles its own program alone: of the others, one after each frame is started", async ({
+  page,
+}) => {
+  await openSources(page);
+  const started = await page.evaluate(async () => {
+    const { Gpu } = await import(/* @vite-ignore */ `${location.origin}/src/gl/gpu.ts`);
+    const gpu = new Gpu(document.createElement("canvas"));
+    const { gl } = gpu;
+    let links = 0;
+    gl.linkProgram = (program: WebGLProgram) => {
+      links++;
+      WebGL2RenderingContext.prototype.linkProgram.call(gl, program);
+    };
+    const fragment = {
+      source: "#version 300 es\nout mediump vec4 color; void main() { color = vec4(1); }",
+      files: ["white.frag"],
+    };
+    const programs = ["asked", "waits", "drawn with"].map((label) => gpu.pass(label, fragment));
+    const counts = [programs[0].isCompiled, links];
+    gpu.draw({ program: programs[2], target: "canvas" });
+    counts.push(links);
+    gpu.endFrame();
+    counts.push(links);
+    await gpu.whenCompiled();
+    counts.push(links, programs[0].isCompiled);
+    gpu.dispose();
+    return counts;
+  });
+  expect(started).toEqual([false, 0, 1, 2, 3, true]);
+});

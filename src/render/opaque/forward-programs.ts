@@ -56,15 +56,16 @@ export function forwardProgram(
   return gpu.program("opaque/forward", meshVert, forwardFrag, { defines });
 }
 
-/** Whether the programs of all kinds are compiled; begins with all that are not: some drivers compile side by side. */
+/** Whether the programs of all kinds are compiled. Each call starts one more: some drivers compile while one waits. */
 export function areForwardProgramsCompiled(
   gpu: Gpu,
   tier: Tier,
   lights: LightsOf,
   kinds: Iterable<Kind>,
 ): boolean {
-  const programs = new Set(Array.from(kinds, (kind) => forwardProgram(gpu, tier, lights, kind)));
-  return Array.from(programs, ({ isCompiled }) => isCompiled).every(Boolean);
+  const programs = Array.from(kinds, (kind) => forwardProgram(gpu, tier, lights, kind));
+  const hasStarted = programs.some((program) => program.start());
+  return !hasStarted && programs.every(({ isCompiled }) => isCompiled);
 }
 
 /**
