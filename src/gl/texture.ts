@@ -4,6 +4,7 @@ import { created, type GpuContext, GpuObject } from "./gpu-object.js";
 export const FORMATS = {
   R8: { upload: "RED", type: "UNSIGNED_BYTE", bytes: 1 },
   RG8: { upload: "RG", type: "UNSIGNED_BYTE", bytes: 2 },
+  RGB8: { upload: "RGB", type: "UNSIGNED_BYTE", bytes: 4 },
   RGBA8: { upload: "RGBA", type: "UNSIGNED_BYTE", bytes: 4 },
   SRGB8_ALPHA8: { upload: "RGBA", type: "UNSIGNED_BYTE", bytes: 4 },
   R16F: { upload: "RED", type: "HALF_FLOAT", bytes: 2 },

@@ -131,7 +131,7 @@ export class PhysicalRenderer implements Renderer {
 
   async prepare(world: World, settings: FrameSettings, isWanted: () => boolean): Promise<void> {
     const { width, height } = this.#gpu.canvas; // it keeps its image
-    const screen = this.#gpu.renderTarget({ label: "screen", width, height, color: ["RGBA8"] });
+    const screen = this.#gpu.renderTarget({ label: "screen", width, height, color: ["RGB8"] });
     try {
       for (const _ of this.#prepareInSteps({ ...this.#describe(world, settings), screen })) {
         await this.#gpu.whenIdle();

@@ -140,3 +140,50 @@ test("A draw compiles its own program alone: of the others, one after each frame
   });
   expect(started).toEqual([false, 0, 1, 2, 3, true]);
 });
+
+test("What draws to the canvas draws to no target of another format, for which some drivers compile anew", async ({
+  cabin,
+}) => {
+  const formats = await cabin.evaluate(async (element) => {
+    const gl = element.shadowRoot?.querySelector("canvas")?.getContext("webgl2");
+    if (!gl) throw new Error("There is no context.");
+    const { useProgram, texStorage2D, bindFramebuffer, drawArrays } = gl;
+    const formatOf = new Map<unknown, number>();
+    const drawn = new Map<unknown, Set<number | "canvas">>();
+    let current: Set<number | "canvas"> = new Set();
+    let format: number | "canvas" = "canvas";
+    Object.assign(gl, {
+      useProgram: (program: WebGLProgram) => {
+        current = drawn.get(program) ?? new Set();
+        drawn.set(program, current);
+        useProgram.call(gl, program);
+      },
+      texStorage2D: (...values: Parameters<typeof texStorage2D>) => {
+        formatOf.set(gl.getParameter(gl.TEXTURE_BINDING_2D), values[2]);
+        texStorage2D.apply(gl, values);
+      },
+      bindFramebuffer: (target: GLenum, framebuffer: WebGLFramebuffer | null) => {
+        bindFramebuffer.call(gl, target, framebuffer);
+        const [of, name] = [gl.COLOR_ATTACHMENT0, gl.FRAMEBUFFER_ATTACHMENT_OBJECT_NAME];
+        const texture = framebuffer && gl.getFramebufferAttachmentParameter(target, of, name);
+        format = framebuffer ? (formatOf.get(texture) ?? 0) : "canvas";
+      },
+      drawArrays: (...values: Parameters<typeof drawArrays>) => {
+        current.add(format);
+        drawArrays.apply(gl, values);
+      },
+    });
+    Object.assign(element, { look: "paper", quality: "low" });
+    await element.ready;
+    Object.assign(element, { look: "physical", paused: false });
+    await element.ready;
+    element.paused = true;
+    for (let i = 0; i < 3; i++) element.step(1 / 60);
+    for (const name of ["useProgram", "texStorage2D", "bindFramebuffer", "drawArrays"])
+      Reflect.deleteProperty(gl, name);
+    const used = [...drawn.values()].filter((formats) => formats.has("canvas"));
+    return used.map((formats) => [...formats].filter((f) => f !== "canvas" && f !== gl.RGB8));
+  });
+  expect(formats.length).toBeGreaterThan(1);
+  expect(formats.flat()).toEqual([]);
+});

@@ -92,7 +92,7 @@ export class CompositeDisplayPass {
       composite(screen, size);
       return;
     }
-    const options = { label: "composite/upscaled", ...size, color: ["RGBA8"] } as const;
+    const options = { label: "composite/upscaled", ...size, color: ["RGB8"] } as const;
     this.#upscaled = fittedTarget(this.#gpu, this.#upscaled, options);
     composite(this.#upscaled, size);
     const textures = { uSource: this.#upscaled.color };

@@ -227,7 +227,7 @@ export class RefinedStage implements OpaqueStage {
 
   *#drawOffScreen(frame: FrameInput): Steps {
     const { width, height } = this.#image!;
-    const screen = this.#gpu.renderTarget({ label: "screen", width, height, color: ["RGBA8"] });
+    const screen = this.#gpu.renderTarget({ label: "screen", width, height, color: ["RGB8"] });
     try {
       yield* this.#frames.draw({ ...frame, screen });
     } finally {
