@@ -243,7 +243,7 @@ export class PhysicalRenderer implements Renderer {
     if (flamePart(frame.settings.inspect)) this.#gpu.clear(target.target, [0, 0, 0, 1]);
     else for (const region of regions) this.#opaque.composite(frame, layer, target, region);
     yield;
-    this.#volumetric.render(frame, target, captures);
+    yield* this.#volumetric.render(frame, target, captures);
   }
 
   #postIn(kind: GBufferKind, isShadowNew: boolean, { canDefer, isMoving }: FrameSettings) {

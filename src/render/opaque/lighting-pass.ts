@@ -154,6 +154,7 @@ export class LightingPass {
     this.#key = "";
     this.#shadingLight.update(light);
     const program = isReduced ? this.reducedProgram(cached) : this.full;
+    program.start();
     const all = this.#isOfAll ? this.#ofAll(frame, program, { shadow, irradiance, cached }) : null;
     const { textures, uniforms } = lightingInputs(frame, gbuffer, target);
     yield;

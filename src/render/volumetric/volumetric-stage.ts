@@ -8,6 +8,7 @@ import type { Inspection } from "../../settings.js";
 import type { Flame } from "../../world/flame/flame.js";
 import { type Bounds, inset, type Vec3 } from "../../world/geometry.js";
 import type { ParticleLayer } from "../../world/particles/particle-layer.js";
+import type { Steps } from "../../world/steps.js";
 import type { World } from "../../world/world.js";
 import { moonOf } from "../cached-light.js";
 import { AT_ORIGIN, type FrameInput, type Placement, type Size } from "../frame-input.js";
@@ -101,7 +102,7 @@ export class VolumetricStage {
   }
 
   /** Draws over the composited radiance, within its depth. */
-  render(frame: FrameInput, composited: CompositedFrame, { irradiance, cached }: Captures): void {
+  *render(frame: FrameInput, composited: CompositedFrame, { irradiance, cached }: Captures): Steps {
     const { world, settings, clipFromWorld } = frame;
     const { target, tested } = composited;
     const { features, inspect, isStill } = settings;
@@ -109,6 +110,7 @@ export class VolumetricStage {
     const part = flamePart(inspect);
     if (inspect === "normals") return;
     if (!part) this.#drawEmbers(frame, composited);
+    yield;
     if (features.volume) {
       for (const wick of this.#wicks(world)) {
         const leastRadius = LEAST_RADIUS * pixelSize(wick.root, clipFromWorld, tested);

@@ -7,6 +7,7 @@ import type { FrameBlocks } from "../../../../src/render/opaque/opaque-stage.ts"
 import { REFINED } from "../../../../src/render/refinement/refined-tier.ts";
 import { VolumetricStage } from "../../../../src/render/volumetric/volumetric-stage.ts";
 import type { CompositedFrame } from "../../../../src/render/volumetric/volumetric-target.ts";
+import { finish } from "../../../../src/world/steps.ts";
 import { createWorld } from "../../../support/world.ts";
 
 /** Indices of a wick's cluster. */
@@ -46,7 +47,7 @@ test("an ember is drawn with its own wick: with no other candle's, be they one m
     const blocks = {} as FrameBlocks;
     const stage = new VolumetricStage(gpu, [], room, blocks, "RGBA16F", REFINED.physical);
     draws.length = 0;
-    stage.render(frame, {} as CompositedFrame, {} as Captures);
+    finish(stage.render(frame, {} as CompositedFrame, {} as Captures));
     return [...draws];
   };
   expect(embersOf(places.map((x) => meshOf(`mesh.${x}`, [x])))).toEqual([
