@@ -1,9 +1,9 @@
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import sharp from "sharp";
-import { launchSoftwareBrowser, serveBuilt } from "../built-site.mjs";
+import { makePoster } from "../../bin/poster.mjs";
 import { GlbBuilder } from "../models/glb-builder.mjs";
 
 /**
@@ -20,20 +20,11 @@ const textures = folder ?? fileURLToPath(new URL("../../public/textures/", impor
 
 /** Of the wall, whose 4 x 4 tiles are as large in every set. Metres. */
 const HALF_WIDTH = 3.2;
-/** Camera from which the candle is put down, and camera of the image. */
+/** Camera from which the candle is put down, and camera of the image: position, yaw and pitch. */
 const VIEWS = [
-  [
-    { position: [0.3, 1.6, 1.3], yaw: 0, pitch: -1 },
-    { position: [1.4, 1.3, 1.5], yaw: 0.6, pitch: -0.15 },
-  ],
-  [
-    { position: [0, 1.6, 0.95], yaw: 0, pitch: -1.2 },
-    { position: [0.35, 0.6, 0.6], yaw: 0.5, pitch: -0.2 },
-  ],
-  [
-    { position: [0, 1.6, 2.6], yaw: 0, pitch: -1 },
-    { position: [0, 1.6, 3.1], yaw: 0, pitch: 0 },
-  ],
+  ["0.3 1.6 1.3 0 -1", "1.4 1.3 1.5 0.6 -0.15"],
+  ["0 1.6 0.95 0 -1.2", "0.35 0.6 0.6 0.5 -0.2"],
+  ["0 1.6 2.6 0 -1", "0 1.6 3.1 0 0"],
 ];
 
 /** A wall of the set, and a plain floor before it. */
@@ -68,34 +59,14 @@ function room() {
   return builder.glb();
 }
 
-const server = await serveBuilt("dist");
-const browser = await launchSoftwareBrowser();
-const page = await browser.newPage({ viewport: { width: 720, height: 420 } });
-await page.route("**/room.glb", (route) =>
-  route.fulfill({ body: room(), contentType: "model/gltf-binary" }),
-);
-await page.route("**/preview.html", (route) =>
-  route.fulfill({
-    contentType: "text/html",
-    body: `<!doctype html><script type="module" src="/define.js"></script>
-<candle-flame src="room.glb" quality="high" paused style="position: fixed; inset: 0; aspect-ratio: auto"></candle-flame>`,
-  }),
-);
-await page.goto(`${server.url}preview.html`);
+const src = join(tmpdir(), `${name}-room.glb`);
+writeFileSync(src, room());
 const images = [];
-for (const view of VIEWS) {
-  await page.locator("candle-flame").evaluate(async (element, [place, camera]) => {
-    await element.ready;
-    element.reset();
-    element.camera = place;
-    element.place();
-    element.camera = camera;
-    element.step(0.1);
-  }, view);
-  images.push({ input: await page.screenshot(), left: 0, top: 420 * images.length });
+for (const [candle, camera] of VIEWS) {
+  const view = { candle, camera, seconds: "0.1", attributes: { src } };
+  const input = await makePoster({ out: "view.png", size: "720x420", ...view });
+  images.push({ input, left: 0, top: 420 * images.length });
 }
-await browser.close();
-await server.close();
 const file = join(tmpdir(), `${name}-preview.png`);
 await sharp({ create: { width: 720, height: 1260, channels: 3, background: "black" } })
   .composite(images)
